@@ -1,0 +1,14 @@
+//! Edgewalker: a side-scroller whose movement runs, exactly, on a constrained Delaunay mesh.
+//!
+//! The folders in reading order; each may name itself and those above it, never those below.
+#![deny(unsafe_code)]
+#![warn(missing_docs)]
+
+pub mod tune;
+pub mod geom;
+pub mod mesh;
+pub mod motion;
+pub mod level;
+pub mod game;
+#[cfg(feature = "shell")]
+pub mod shell;

@@ -1,0 +1,1 @@
+//! One body in the mesh.

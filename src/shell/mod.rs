@@ -1,0 +1,1 @@
+//! The shell: window, picture, overlay.
