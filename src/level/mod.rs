@@ -1,13 +1,31 @@
-//! Levels as data: CONTRACT (skeleton).
+//! Levels as data: what a level file says, and nothing of how it is played or drawn.
+//!
+//! A file is read by [`load`], which checks everything once ([`check`]); after that a [`Level`] is
+//! trusted. Lengths are metres, y points up, and the plane of play is depth 0. Features may overlap,
+//! touch and lie inside each other; what is absent on purpose: tiles, layers, holes, and any
+//! number that is a matter of feel (those are in [`crate::tune`]).
+
+mod check;
+mod error;
+mod file;
+mod marks;
+mod simple;
+
+pub use check::{COORDINATE_LIMIT, CORNER_LIMIT, check};
+pub use error::{Entity, Flaw, LevelError};
+pub use file::{load, parse, save, write_atomically};
 
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
+
+/// The version of the format that this build reads and writes.
+pub const VERSION: u32 = 1;
 
 /// A level file.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Level {
-    /// Version of the format.
+    /// Version of the format: [`VERSION`].
     pub version: u32,
     /// What players call it.
     pub name: String,
@@ -15,7 +33,7 @@ pub struct Level {
     pub start: DVec2,
     /// Reaching this box with the foot ends the level.
     pub goal: Rect,
-    /// A body below this height has fallen out of the level.
+    /// A body below this height has fallen out of the level, in metres.
     pub bottom: f64,
     /// The terrain.
     pub features: Vec<Feature>,
@@ -34,6 +52,13 @@ pub struct Rect {
     pub max: DVec2,
 }
 
+impl Rect {
+    /// Whether a point is inside or on the rim.
+    pub fn contains(&self, p: DVec2) -> bool {
+        p.cmpge(self.min).all() && p.cmple(self.max).all()
+    }
+}
+
 /// A piece of terrain: a simple closed outline, counter-clockwise or clockwise, in metres.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -42,7 +67,7 @@ pub struct Feature {
     pub id: String,
     /// What it is made of: how it looks and sounds.
     pub material: Material,
-    /// Corners.
+    /// Corners; the last one is joined to the first.
     pub outline: Vec<DVec2>,
 }
 
@@ -68,7 +93,7 @@ pub struct Scenery {
     pub kind: SceneryKind,
     /// Its foot, in metres, in the plane of play.
     pub at: DVec2,
-    /// How far behind (negative) or in front of the plane of play.
+    /// How far behind (negative) or in front of the plane of play, in metres.
     #[serde(default)]
     pub depth: f64,
     /// Size, as a multiple of its usual one.
@@ -76,7 +101,9 @@ pub struct Scenery {
     pub scale: f64,
 }
 
-fn one() -> f64 { 1.0 }
+fn one() -> f64 {
+    1.0
+}
 
 /// Kinds of scenery.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]

@@ -1,0 +1,133 @@
+//! Reading and writing level files: the only place outside the shell that touches the disk.
+
+use super::marks::Marks;
+use super::{Flaw, Level, LevelError, VERSION, check};
+use ron::ser::PrettyConfig;
+use serde::Deserialize;
+use std::fs::{self, File};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+/// Reads a level file and checks it.
+///
+/// # Errors
+/// The file cannot be read, is not text, is not a level, or breaks a rule of [`check`].
+pub fn load(path: &Path) -> Result<Level, LevelError> {
+    let bytes =
+        fs::read(path).map_err(|error| whole_file(path, format!("cannot be read: {error}")))?;
+    match std::str::from_utf8(&bytes) {
+        Ok(text) => parse(text, path),
+        Err(error) => {
+            let message = format!(
+                "is not UTF-8 text (byte {} of the file)",
+                error.valid_up_to()
+            );
+            Err(whole_file(path, message))
+        }
+    }
+}
+
+/// Reads a level from text and checks it; `file` is only what errors call it.
+///
+/// # Errors
+/// The text is not a level, or breaks a rule of [`check`].
+pub fn parse(text: &str, file: &Path) -> Result<Level, LevelError> {
+    if text.trim().is_empty() {
+        return Err(whole_file(file, "is empty".into()));
+    }
+    let syntax = |error| syntax_error(text, file, error);
+    // A newer version may have fields that this build does not know: its number is read first.
+    let Header { version } = ron::from_str(text).map_err(syntax)?;
+    if version == VERSION {
+        let level: Level = ron::from_str(text).map_err(syntax)?;
+        return check(&level)
+            .map(|()| level)
+            .map_err(|flaw| rule_error(text, file, flaw));
+    }
+    let message = format!("{version} is not supported; this build reads version {VERSION}");
+    Err(rule_error(text, file, Flaw::of_level("version", message)))
+}
+
+/// Writes a level. Comments of the file that it replaces are lost.
+///
+/// # Errors
+/// The level breaks a rule of [`check`], or the file cannot be written; it is then as it was before.
+pub fn save(level: &Level, path: &Path) -> Result<(), LevelError> {
+    check(level).map_err(|flaw| LevelError {
+        line: None,
+        ..rule_error("", path, flaw)
+    })?;
+    let text = ron::ser::to_string_pretty(level, PrettyConfig::new().new_line("\n"))
+        .map_err(|error| whole_file(path, format!("cannot be put into words: {error}")))?;
+    write_atomically(path, format!("{text}\n").as_bytes())
+        .map_err(|error| whole_file(path, format!("cannot be written: {error}")))
+}
+
+/// Replaces a file in one step: whoever reads it sees the old bytes or the new, even after a crash.
+///
+/// # Errors
+/// The directory or the file cannot be written; the old file is then untouched.
+pub fn write_atomically(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    let temporary = temporary_beside(path)?;
+    let written = File::create(&temporary).and_then(|mut file| {
+        file.write_all(bytes)?;
+        file.sync_all()
+    });
+    let replaced = written.and_then(|()| fs::rename(&temporary, path));
+    if replaced.is_err() {
+        // Nothing more can be done if this fails as well; the first error is the one to report.
+        let _ = fs::remove_file(&temporary);
+    }
+    replaced
+}
+
+/// The part of the format that every version has.
+#[derive(Deserialize)]
+#[serde(rename = "Level")]
+struct Header {
+    version: u32,
+}
+
+/// A name in the same directory, hence on the same disk, that no other running program uses.
+fn temporary_beside(path: &Path) -> io::Result<PathBuf> {
+    let Some(name) = path.file_name() else {
+        return Err(io::Error::new(
+            io::ErrorKind::InvalidInput,
+            "not the name of a file",
+        ));
+    };
+    let mut temporary = std::ffi::OsString::from(".");
+    temporary.push(name);
+    temporary.push(format!(".{}.tmp", std::process::id()));
+    Ok(path.with_file_name(temporary))
+}
+
+fn whole_file(file: &Path, message: String) -> LevelError {
+    LevelError {
+        file: file.into(),
+        line: None,
+        entity: None,
+        field: None,
+        message,
+    }
+}
+
+fn syntax_error(text: &str, file: &Path, error: ron::error::SpannedError) -> LevelError {
+    LevelError {
+        file: file.into(),
+        line: Some(error.span.start.line),
+        entity: Marks::read(text).and_then(|marks| marks.entity(&error.span)),
+        field: None,
+        message: error.code.to_string(),
+    }
+}
+
+fn rule_error(text: &str, file: &Path, flaw: Flaw) -> LevelError {
+    LevelError {
+        file: file.into(),
+        line: Marks::read(text).and_then(|marks| marks.line(&flaw)),
+        entity: Some(flaw.entity),
+        field: Some(flaw.field),
+        message: flaw.message,
+    }
+}

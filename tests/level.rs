@@ -1,0 +1,392 @@
+//! Level files: what is refused, in which words, and that nothing in a file can make the game panic.
+
+use edgewalker::level::{self, Level};
+use rand_pcg::Pcg64Mcg;
+use rand_pcg::rand_core::{Rng, SeedableRng};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// A small level whose comments and strings do their best to look like values.
+const SMALL: &str = r#"// features: [ (id: "not this one
+(
+    version: 1,
+    name: "A (small] level",
+    start: (0.0, 0.5),
+    goal: (min: (8, 0), max: (9, 2)),
+    bottom: -10.0,
+    features: [
+        /* (id: "nor", outline: [( */
+        (
+            id: "floor, [(\"quoted\")]",
+            material: Rock,
+            outline: [
+                (-5, -1),
+                (10, -1), // (10, 0)
+                (10, 0),
+                (-5, 0),
+            ],
+        ),
+        (
+            id: "ledge",
+            material: Masonry,
+            outline: [(3, 1), (5, 1), (4, 2)],
+        ),
+    ],
+    scenery: [
+        (kind: Lantern, at: (1, 0)),
+        (kind: Crane, at: (2, 0), depth: -8, scale: 1.5),
+    ],
+)
+"#;
+
+/// What is said about the small level after one change to its text.
+fn complaint(from: &str, to: &str) -> String {
+    assert_eq!(
+        SMALL.matches(from).count(),
+        1,
+        "the change must hit one place: {from}"
+    );
+    let text = SMALL.replacen(from, to, 1);
+    level::parse(&text, Path::new("small.ron"))
+        .expect_err(to)
+        .to_string()
+}
+
+fn scratch(name: &str) -> PathBuf {
+    let dir = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    let _ = fs::remove_dir_all(&dir);
+    fs::create_dir_all(&dir).unwrap();
+    dir
+}
+
+#[test]
+fn the_small_level_is_read() {
+    let level = level::parse(SMALL, Path::new("small.ron")).unwrap();
+    assert_eq!((level.features.len(), level.scenery.len()), (2, 2));
+    assert_eq!(level.features[0].id, "floor, [(\"quoted\")]");
+    assert_eq!((level.scenery[0].depth, level.scenery[0].scale), (0.0, 1.0));
+}
+
+#[test]
+fn numbers_that_are_none_or_too_large_are_refused() {
+    let cases = [
+        (
+            "(5, 1)",
+            "(5, NaN)",
+            "small.ron:23: feature \"ledge\", outline[1].y: NaN is not a finite number",
+        ),
+        (
+            "(10, 0),\n",
+            "(-inf, 0),\n",
+            "small.ron:16: feature \"floor, [(\\\"quoted\\\")]\", outline[2].x: -inf is not a finite number",
+        ),
+        (
+            "(-5, -1)",
+            "(-4000, -1)",
+            "small.ron:14: feature \"floor, [(\\\"quoted\\\")]\", outline[0].x: -4000 is out of bounds: coordinates are between -4000 and 4000 m",
+        ),
+        (
+            "(0.0, 0.5)",
+            "(0.0, NaN)",
+            "small.ron:5: level, start.y: NaN is not a finite number",
+        ),
+        (
+            "(8, 0)",
+            "(8, inf)",
+            "small.ron:6: level, goal.min.y: inf is not a finite number",
+        ),
+        (
+            "-10.0",
+            "5e3",
+            "small.ron:7: level, bottom: 5000 is out of bounds: coordinates are between -4000 and 4000 m",
+        ),
+        (
+            "(1, 0)",
+            "(1, NaN)",
+            "small.ron:27: scenery[0], at.y: NaN is not a finite number",
+        ),
+        (
+            "-8",
+            "-1001",
+            "small.ron:28: scenery[1], depth: -1001 is outside -1000..=1000 m",
+        ),
+        (
+            "1.5",
+            "NaN",
+            "small.ron:28: scenery[1], scale: NaN is not above 0 and at most 100",
+        ),
+        (
+            "1.5",
+            "0",
+            "small.ron:28: scenery[1], scale: 0 is not above 0 and at most 100",
+        ),
+    ];
+    for (from, to, expected) in cases {
+        assert_eq!(complaint(from, to), expected);
+    }
+    let huge = complaint("(4, 2)", "(4, 1e300)");
+    assert!(
+        huge.starts_with("small.ron:23: feature \"ledge\", outline[2].y: 1000000")
+            && huge.contains("is out of bounds"),
+        "{huge}"
+    );
+}
+
+#[test]
+fn outlines_that_are_not_simple_are_refused() {
+    let ledge = "[(3, 1), (5, 1), (4, 2)]";
+    let cases = [
+        (
+            "[]",
+            "23: feature \"ledge\", outline: has 0 corners; an outline needs 3",
+        ),
+        (
+            "[(3, 1), (5, 1)]",
+            "23: feature \"ledge\", outline: has 2 corners; an outline needs 3",
+        ),
+        (
+            "[(3, 1), (5, 1), (5, 1.000001), (4, 2)]",
+            "23: feature \"ledge\", outline: corners 1 and 2 are one point of the grid: an edge of no length",
+        ),
+        (
+            "[(3, 1), (5, 1), (4, 2), (3, 1)]",
+            "23: feature \"ledge\", outline: corners 3 and 0 are one point of the grid: an edge of no length",
+        ),
+        (
+            "[(3, 1), (5, 2), (5, 1), (3, 2)]",
+            "23: feature \"ledge\", outline: edges 0 and 2 cross or touch",
+        ),
+        (
+            "[(3, 1), (5, 1), (4, 1), (4, 2)]",
+            "23: feature \"ledge\", outline: edges 0 and 1 cross or touch",
+        ),
+        (
+            "[(3, 1), (5, 1), (5, 2), (4, 1), (3, 2)]",
+            "23: feature \"ledge\", outline: edges 0 and 2 cross or touch",
+        ),
+        (
+            "[\n(3, 1),\n(5, 2),\n(5, 1),\n(3, 2)]",
+            "24: feature \"ledge\", outline: edges 0 and 2 cross or touch",
+        ),
+    ];
+    for (outline, expected) in cases {
+        assert_eq!(complaint(ledge, outline), format!("small.ron:{expected}"));
+    }
+}
+
+#[test]
+fn names_and_places_that_make_no_sense_are_refused() {
+    let cases = [
+        (
+            "id: \"ledge\"",
+            "id: \"floor, [(\\\"quoted\\\")]\"",
+            "21: feature \"floor, [(\\\"quoted\\\")]\", id: is the id of features[0] as well",
+        ),
+        (
+            "id: \"ledge\"",
+            "id: \"\"",
+            "21: feature \"\", id: must have 1 to 64 characters, none of them a control character",
+        ),
+        (
+            "\"A (small] level\"",
+            "\"a\\tb\"",
+            "4: level, name: must have 1 to 64 characters, none of them a control character",
+        ),
+        (
+            "(8, 0)",
+            "(8, 2)",
+            "6: level, goal: min is not below and left of max",
+        ),
+        (
+            "-10.0",
+            "3",
+            "6: level, goal: lies below the bottom, where the hero falls out of the level",
+        ),
+        (
+            "-10.0",
+            "1",
+            "5: level, start: lies below the bottom, where the hero falls out of the level",
+        ),
+        (
+            "(0.0, 0.5)",
+            "(8.5, 1)",
+            "5: level, start: lies in the goal: the level would end before it begins",
+        ),
+        (
+            "version: 1",
+            "version: 2",
+            "3: level, version: 2 is not supported; this build reads version 1",
+        ),
+    ];
+    for (from, to, expected) in cases {
+        assert_eq!(complaint(from, to), format!("small.ron:{expected}"));
+    }
+}
+
+#[test]
+fn text_that_is_no_level_is_refused_with_its_line() {
+    let cases = [
+        (
+            "material: Masonry",
+            "colour: Masonry",
+            "22: feature \"ledge\": Unexpected field named `colour` in `Feature`, expected one of `id`, `material`, or `outline` instead",
+        ),
+        (
+            "material: Masonry,",
+            "",
+            "24: feature \"ledge\": Unexpected missing field named `material` in `Feature`",
+        ),
+        (
+            "Masonry",
+            "Marble",
+            "22: feature \"ledge\": Unexpected variant named `Marble` in enum `Material`, expected one of `Rock`, `Masonry`, `Timber`, or `Iron` instead",
+        ),
+        (
+            "(4, 2)",
+            "(4, 2, 0)",
+            "23: feature \"ledge\": Expected closing `)`",
+        ),
+        (
+            "(4, 2)",
+            "4",
+            "23: feature \"ledge\": Expected opening `(` for struct `DVec2`",
+        ),
+        (
+            "kind: Crane",
+            "kind: \"Crane\"",
+            "28: scenery[1]: Expected identifier",
+        ),
+        (
+            "name: ",
+            "title: ",
+            "4: Unexpected field named `title` in `Level`, expected one of `version`, `name`, `start`, `goal`, `bottom`, `features`, or `scenery` instead",
+        ),
+        (
+            "bottom: -10.0,",
+            "",
+            "30: Unexpected missing field named `bottom` in `Level`",
+        ),
+        ("version: 1", "version: one", "3: Expected integer"),
+        (
+            "version: 1,",
+            "",
+            "30: Unexpected missing field named `version` in `Level`",
+        ),
+    ];
+    for (from, to, expected) in cases {
+        assert_eq!(complaint(from, to), format!("small.ron:{expected}"));
+    }
+}
+
+#[test]
+fn files_that_cannot_be_read_are_refused() {
+    let dir = scratch("unreadable");
+    let error = |name: &str, bytes: Option<&[u8]>| {
+        let path = dir.join(name);
+        bytes.inspect(|bytes| fs::write(&path, bytes).unwrap());
+        let error = level::load(&path).unwrap_err().to_string();
+        error
+            .strip_prefix(&format!("{}: ", dir.join(name).display()))
+            .unwrap()
+            .to_string()
+    };
+    assert_eq!(error("empty.ron", Some(b"")), "is empty");
+    assert_eq!(error("blank.ron", Some(b" \n\n")), "is empty");
+    assert_eq!(
+        error("latin1.ron", Some(b"(name: \"Br\xfccke\")")),
+        "is not UTF-8 text (byte 10 of the file)"
+    );
+    assert!(error("missing.ron", None).starts_with("cannot be read: No such file"));
+    assert!(error("", None).starts_with("cannot be read: "));
+}
+
+#[test]
+fn a_saved_level_comes_back_equal_and_a_refused_one_leaves_the_file_alone() {
+    let path = scratch("saved").join("level.ron");
+    let mut level = level::parse(SMALL, Path::new("small.ron")).unwrap();
+    level.features[1].outline[2].y = 2.0 + f64::EPSILON * 3.0;
+    level::save(&level, &path).unwrap();
+    assert_eq!(level::load(&path).unwrap(), level);
+    let before = fs::read(&path).unwrap();
+    level.features[1].outline[2].y = f64::NAN;
+    let error = level::save(&level, &path).unwrap_err().to_string();
+    assert!(
+        error.ends_with("level.ron: feature \"ledge\", outline[2].y: NaN is not a finite number"),
+        "{error}"
+    );
+    assert_eq!(fs::read(&path).unwrap(), before);
+    assert_eq!(
+        fs::read_dir(path.parent().unwrap()).unwrap().count(),
+        1,
+        "no temporary file stays behind"
+    );
+}
+
+#[test]
+fn saving_to_a_place_that_cannot_hold_a_file_is_an_error() {
+    let dir = scratch("unwritable");
+    let level = level::parse(SMALL, Path::new("small.ron")).unwrap();
+    for path in [dir.clone(), dir.join("no/such/dir.ron"), dir.join("..")] {
+        assert!(
+            level::save(&level, &path)
+                .unwrap_err()
+                .to_string()
+                .contains("cannot be written: ")
+        );
+    }
+}
+
+/// Reads what must not panic; a level that is accepted must survive being written and read again.
+fn survive(text: &str) {
+    if let Ok(level) = level::parse(text, Path::new("mutant.ron")) {
+        let again = ron::to_string(&level).unwrap();
+        let read: Level = level::parse(&again, Path::new("again.ron")).unwrap();
+        assert_eq!(read, level);
+    }
+}
+
+#[test]
+fn every_truncation_is_refused_in_words() {
+    for end in 0..SMALL.trim_end().len() {
+        let error =
+            level::parse(&SMALL[..end], Path::new("small.ron")).expect_err("a truncated level");
+        assert!(error.to_string().starts_with("small.ron:"), "{error}");
+    }
+}
+
+#[test]
+fn random_damage_never_panics() {
+    let mut random = Pcg64Mcg::seed_from_u64(0x1e7e1);
+    let spare = b"()[]{},:\"\\/*#'-+.0123456789eENaninfr_ \n\xc3\xa4\xff";
+    for _ in 0..6000 {
+        let mut bytes = SMALL.as_bytes().to_vec();
+        for _ in 0..1 + random.next_u32() % 4 {
+            let at = random.next_u32() as usize % bytes.len();
+            let byte = spare[random.next_u32() as usize % spare.len()];
+            let to = (at + random.next_u32() as usize % 40).min(bytes.len());
+            match random.next_u32() % 4 {
+                0 => bytes[at] = byte,
+                1 => bytes.insert(at, byte),
+                2 => drop(bytes.drain(at..to)),
+                _ => bytes.splice(at..at, bytes[at..to].to_vec()).for_each(drop),
+            }
+        }
+        survive(&String::from_utf8_lossy(&bytes));
+    }
+}
+
+#[test]
+fn every_shipped_level_loads() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("levels");
+    let mut count = 0;
+    for dir in [root.clone(), root.join("dev")] {
+        for entry in fs::read_dir(dir).unwrap() {
+            let path = entry.unwrap().path();
+            if path.extension().is_some_and(|extension| extension == "ron") {
+                level::load(&path).unwrap_or_else(|error| panic!("{error}"));
+                count += 1;
+            }
+        }
+    }
+    assert!(count >= 5, "only {count} levels");
+}
