@@ -10,5 +10,6 @@ pub mod mesh;
 pub mod motion;
 pub mod level;
 pub mod game;
+pub mod cli;
 #[cfg(feature = "shell")]
 pub mod shell;

@@ -1,5 +1,8 @@
 //! The rules: Input in, View and Event out. CONTRACT (skeleton): the signatures below are what the shell calls.
 
+mod blend;
+pub mod camera;
+
 use crate::level::Level;
 use crate::mesh::Mesh;
 use crate::tune::Tuning;

@@ -1,0 +1,478 @@
+//! The command line: what may be asked of the program, and what contradicts what.
+//!
+//! Parsing touches nothing but its arguments, so that every refusal can be tested without a window.
+
+pub mod files;
+pub mod tuning;
+
+use lexopt::Arg;
+use std::ffi::OsString;
+use std::ops::RangeInclusive;
+use std::path::PathBuf;
+use std::str::FromStr;
+
+/// Ticks per second unless asked otherwise.
+pub const TICK_RATE: u32 = 120;
+const TICK_RATES: RangeInclusive<u32> = 10..=2000;
+const SIDES: RangeInclusive<u32> = 64..=16384;
+
+/// The text of `--help`.
+pub const HELP: &str = "\
+Edgewalker: a side-scroller whose movement runs, exactly, on a mesh.
+
+Usage: edgewalker [options]
+
+What to play
+  --level FILE        Level to play (default: levels/quarry.ron)
+  --tuning FILE       Tuning to play with (default: tuning.local.ron, if there is one)
+  --tick-rate N       Ticks per second, 10 to 2000 (default: 120)
+  --seed N            Seed of the game's random numbers (default: 0)
+
+Runs as values
+  --record FILE       Write the inputs of this run to FILE when the game is left
+  --replay FILE       Play a recorded run; it brings its level, tuning, tick rate and seed
+  --headless          With --replay: no window, print the final state's hash and a summary
+  --screenshot FILE   Write one picture as PNG and leave; needs --at
+  --at TICK           The tick of the picture: of the replay, or of a run without input
+
+Window
+  --size WxH          Size in points (default: 1280x720)
+  --fullscreen        Start in fullscreen
+  --no-vsync          Do not wait for the display
+  --overlay           Start with the overlay open
+  --mesh              Start with the motion mesh drawn
+
+  --help, --version
+
+Keys
+  Left/Right, A/D     Run                      F1         Overlay: tunables, drawings, graphs
+  Space, Z            Jump                     P  .       Pause, single step
+  Down, S             Crouch, fast fall        [  ]       Slower, faster
+  Up, W               Look up                  F11, Alt+Enter  Fullscreen
+  R                   Back to the start        Esc        Pause; there Esc goes on, Q quits
+Game controllers: stick or D-pad, A jump, B crouch, Back restart, Start pause, right stick looks.
+
+Exit status: 0 left by the player, 1 something failed, 2 the options make no sense.
+";
+
+/// What the program was asked to do.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Command {
+    /// Print [`HELP`].
+    Help,
+    /// Print the version.
+    Version,
+    /// Play a replay without a window.
+    Headless {
+        /// The replay file.
+        replay: PathBuf,
+    },
+    /// Open a window.
+    Window(Options),
+}
+
+/// How to run with a window.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Options {
+    /// Where level and input come from.
+    pub source: Source,
+    /// Take this picture and leave, instead of being played.
+    pub screenshot: Option<Screenshot>,
+    /// Size in points; `None` for the default.
+    pub size: Option<(u32, u32)>,
+    /// Start in fullscreen.
+    pub fullscreen: bool,
+    /// Wait for the display.
+    pub vsync: bool,
+    /// Start with the overlay open.
+    pub overlay: bool,
+    /// Start with the mesh drawn.
+    pub mesh: bool,
+}
+
+/// Where level and input come from.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Source {
+    /// A player.
+    Live {
+        /// Level file; `None` for the default.
+        level: Option<PathBuf>,
+        /// Tuning file; `None` for the default.
+        tuning: Option<PathBuf>,
+        /// Ticks per second.
+        tick_rate: u32,
+        /// Seed of the game's random numbers.
+        seed: u64,
+        /// Where to write the inputs.
+        record: Option<PathBuf>,
+    },
+    /// A replay file.
+    Replay(PathBuf),
+}
+
+/// One picture of one moment.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Screenshot {
+    /// The PNG to write.
+    pub file: PathBuf,
+    /// The tick to show.
+    pub at: u64,
+}
+
+/// Why the options make no sense.
+#[derive(Clone, Debug, PartialEq)]
+pub struct UsageError(String);
+
+impl std::fmt::Display for UsageError {
+    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+impl std::error::Error for UsageError {}
+
+/// Understands the arguments (without the program's name).
+///
+/// # Errors
+/// An option that is unknown, given twice, without its value, with a value that cannot be, or together with one
+/// that it contradicts.
+pub fn parse(args: impl IntoIterator<Item = OsString>) -> Result<Command, UsageError> {
+    let given = Given::collect(args)?;
+    if given.has("help") {
+        return Ok(Command::Help);
+    }
+    if given.has("version") {
+        return Ok(Command::Version);
+    }
+    given.check_contradictions()?;
+    if given.has("headless") {
+        return Ok(Command::Headless {
+            replay: given.path("replay").unwrap_or_default(),
+        });
+    }
+    Ok(Command::Window(Options {
+        source: given.source()?,
+        screenshot: given.screenshot()?,
+        size: given.size()?,
+        fullscreen: given.has("fullscreen"),
+        vsync: !given.has("no-vsync"),
+        overlay: given.has("overlay"),
+        mesh: given.has("mesh"),
+    }))
+}
+
+/// Options that stand alone, and options that take a value.
+const FLAGS: &[&str] = &[
+    "headless",
+    "fullscreen",
+    "no-vsync",
+    "overlay",
+    "mesh",
+    "help",
+    "version",
+];
+const VALUED: &[&str] = &[
+    "level",
+    "tuning",
+    "record",
+    "replay",
+    "screenshot",
+    "at",
+    "size",
+    "tick-rate",
+    "seed",
+];
+
+/// Pairs that contradict each other, with the reason.
+const CONTRADICTIONS: &[(&str, &[&str], &str)] = &[
+    (
+        "replay",
+        &["level", "tuning", "tick-rate", "seed"],
+        "a replay brings its own",
+    ),
+    ("replay", &["record"], "a replay is recorded already"),
+    (
+        "screenshot",
+        &["record", "fullscreen"],
+        "a screenshot is not played",
+    ),
+    (
+        "headless",
+        &[
+            "screenshot",
+            "at",
+            "size",
+            "fullscreen",
+            "no-vsync",
+            "overlay",
+            "mesh",
+            "record",
+        ],
+        "without a window there is nothing to show",
+    ),
+];
+
+/// Options that are pointless without another one.
+const NEEDS: &[(&str, &str)] = &[
+    ("headless", "replay"),
+    ("screenshot", "at"),
+    ("at", "screenshot"),
+];
+
+/// The arguments by name, each at most once; flags have no value.
+struct Given(Vec<(&'static str, Option<OsString>)>);
+
+impl Given {
+    fn collect(args: impl IntoIterator<Item = OsString>) -> Result<Given, UsageError> {
+        let mut parser = lexopt::Parser::from_args(args);
+        let mut given = Given(Vec::new());
+        while let Some(arg) = parser.next().map_err(|e| UsageError(e.to_string()))? {
+            let (name, valued) = known(arg)?;
+            if given.has(name) {
+                return usage(format!("--{name} is given twice"));
+            }
+            let value = if valued {
+                Some(parser.value().map_err(|e| UsageError(e.to_string()))?)
+            } else {
+                None
+            };
+            given.0.push((name, value));
+        }
+        Ok(given)
+    }
+
+    fn has(&self, name: &str) -> bool {
+        self.0.iter().any(|(n, _)| *n == name)
+    }
+
+    fn value(&self, name: &str) -> Option<&OsString> {
+        self.0.iter().find(|(n, _)| *n == name)?.1.as_ref()
+    }
+
+    fn path(&self, name: &str) -> Option<PathBuf> {
+        self.value(name).map(PathBuf::from)
+    }
+
+    fn check_contradictions(&self) -> Result<(), UsageError> {
+        for (one, others, why) in CONTRADICTIONS {
+            if let Some(other) = others.iter().find(|other| self.has(one) && self.has(other)) {
+                return usage(format!(
+                    "--{one} and --{other} contradict each other: {why}"
+                ));
+            }
+        }
+        match NEEDS
+            .iter()
+            .find(|(one, other)| self.has(one) && !self.has(other))
+        {
+            Some((one, other)) => usage(format!("--{one} needs --{other}")),
+            None => Ok(()),
+        }
+    }
+
+    fn source(&self) -> Result<Source, UsageError> {
+        if let Some(replay) = self.path("replay") {
+            return Ok(Source::Replay(replay));
+        }
+        Ok(Source::Live {
+            level: self.path("level"),
+            tuning: self.path("tuning"),
+            tick_rate: self.number("tick-rate", TICK_RATES)?.unwrap_or(TICK_RATE),
+            seed: self.number("seed", 0..=u64::MAX)?.unwrap_or(0),
+            record: self.path("record"),
+        })
+    }
+
+    fn screenshot(&self) -> Result<Option<Screenshot>, UsageError> {
+        let at = self.number("at", 0..=u64::from(u32::MAX))?;
+        Ok(self
+            .path("screenshot")
+            .zip(at)
+            .map(|(file, at)| Screenshot { file, at }))
+    }
+
+    fn size(&self) -> Result<Option<(u32, u32)>, UsageError> {
+        let Some(value) = self.value("size") else {
+            return Ok(None);
+        };
+        let text = value.to_string_lossy();
+        let sides = text
+            .split_once('x')
+            .and_then(|(w, h)| Some((w.parse().ok()?, h.parse().ok()?)));
+        match sides {
+            Some((w, h)) if SIDES.contains(&w) && SIDES.contains(&h) => Ok(Some((w, h))),
+            _ => usage(format!(
+                "--size: `{text}` is not WIDTHxHEIGHT with sides from {} to {}",
+                SIDES.start(),
+                SIDES.end()
+            )),
+        }
+    }
+
+    fn number<T>(&self, name: &str, range: RangeInclusive<T>) -> Result<Option<T>, UsageError>
+    where
+        T: FromStr + PartialOrd + std::fmt::Display,
+    {
+        let Some(value) = self.value(name) else {
+            return Ok(None);
+        };
+        let text = value.to_string_lossy();
+        match text.parse() {
+            Ok(number) if range.contains(&number) => Ok(Some(number)),
+            _ => usage(format!(
+                "--{name}: `{text}` is not a whole number from {} to {}",
+                range.start(),
+                range.end()
+            )),
+        }
+    }
+}
+
+/// The option's name as we write it, and whether it takes a value.
+fn known(arg: Arg) -> Result<(&'static str, bool), UsageError> {
+    let name = match arg {
+        Arg::Long(name) => name,
+        Arg::Short('h') => "help",
+        Arg::Short('V') => "version",
+        Arg::Short(c) => return usage(format!("unknown option -{c}")),
+        Arg::Value(value) => {
+            return usage(format!("unexpected argument `{}`", value.to_string_lossy()));
+        }
+    };
+    let find = |names: &[&'static str]| names.iter().find(|n| **n == name).copied();
+    match (find(FLAGS), find(VALUED)) {
+        (Some(flag), _) => Ok((flag, false)),
+        (None, Some(valued)) => Ok((valued, true)),
+        (None, None) => usage(format!("unknown option --{name}")),
+    }
+}
+
+fn usage<T>(message: String) -> Result<T, UsageError> {
+    Err(UsageError(message))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn parse_text(text: &str) -> Result<Command, String> {
+        parse(text.split_whitespace().map(OsString::from)).map_err(|e| e.to_string())
+    }
+
+    fn options(text: &str) -> Options {
+        match parse_text(text) {
+            Ok(Command::Window(options)) => options,
+            other => panic!("{text}: {other:?}"),
+        }
+    }
+
+    #[test]
+    fn nothing_asked_is_the_default_game() {
+        let Options {
+            source,
+            size,
+            vsync,
+            screenshot,
+            ..
+        } = options("");
+        assert!(vsync && size.is_none() && screenshot.is_none());
+        let live = Source::Live {
+            level: None,
+            tuning: None,
+            tick_rate: 120,
+            seed: 0,
+            record: None,
+        };
+        assert_eq!(source, live);
+    }
+
+    #[test]
+    fn every_option_arrives() {
+        let all = options(
+            "--level a --tuning=b --tick-rate 60 --seed 7 --record r --size 800x600 --no-vsync --mesh",
+        );
+        let live = Source::Live {
+            level: Some("a".into()),
+            tuning: Some("b".into()),
+            tick_rate: 60,
+            seed: 7,
+            record: Some("r".into()),
+        };
+        assert_eq!(all.source, live);
+        assert!(
+            all.size == Some((800, 600))
+                && !all.vsync
+                && all.mesh
+                && !all.overlay
+                && !all.fullscreen
+        );
+        let shot = options("--replay r --screenshot s.png --at 12 --overlay");
+        assert_eq!(shot.source, Source::Replay("r".into()));
+        assert_eq!(
+            shot.screenshot,
+            Some(Screenshot {
+                file: "s.png".into(),
+                at: 12
+            })
+        );
+        assert_eq!(
+            parse_text("--headless --replay r"),
+            Ok(Command::Headless { replay: "r".into() })
+        );
+        assert_eq!(parse_text("--version"), Ok(Command::Version));
+        assert_eq!(parse_text("--headless --help"), Ok(Command::Help));
+    }
+
+    #[test]
+    fn help_names_every_option() {
+        for name in FLAGS.iter().chain(VALUED) {
+            assert!(HELP.contains(&format!("--{name}")), "{name}");
+        }
+    }
+
+    #[test]
+    fn nonsense_is_refused_with_the_reason() {
+        for (text, message) in [
+            ("--speed 3", "unknown option --speed"),
+            ("-x", "unknown option -x"),
+            ("level.ron", "unexpected argument `level.ron`"),
+            ("--seed 1 --seed 2", "--seed is given twice"),
+            ("--mesh --mesh", "--mesh is given twice"),
+            ("--level", "missing argument for option '--level'"),
+            ("--mesh=1", "unexpected argument for option '--mesh': \"1\""),
+            (
+                "--tick-rate 0",
+                "--tick-rate: `0` is not a whole number from 10 to 2000",
+            ),
+            (
+                "--tick-rate NaN",
+                "--tick-rate: `NaN` is not a whole number from 10 to 2000",
+            ),
+            (
+                "--seed -1",
+                "--seed: `-1` is not a whole number from 0 to 18446744073709551615",
+            ),
+            (
+                "--size 800",
+                "--size: `800` is not WIDTHxHEIGHT with sides from 64 to 16384",
+            ),
+            (
+                "--size 0x600",
+                "--size: `0x600` is not WIDTHxHEIGHT with sides from 64 to 16384",
+            ),
+            ("--headless", "--headless needs --replay"),
+            ("--screenshot a.png", "--screenshot needs --at"),
+            ("--at 3", "--at needs --screenshot"),
+            (
+                "--replay r --level l",
+                "--replay and --level contradict each other: a replay brings its own",
+            ),
+            (
+                "--replay r --record r",
+                "--replay and --record contradict each other: a replay is recorded already",
+            ),
+        ] {
+            assert_eq!(parse_text(text), Err(message.to_string()), "{text}");
+        }
+    }
+}

@@ -1,0 +1,167 @@
+//! Files as the program touches them: found in three places, read whole, written whole or not at all.
+
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+/// What went wrong with which file.
+#[derive(Debug)]
+pub struct FileError {
+    path: PathBuf,
+    reason: String,
+}
+
+impl FileError {
+    /// An error of this file.
+    pub fn new(path: &Path, reason: impl Into<String>) -> FileError {
+        FileError {
+            path: path.to_path_buf(),
+            reason: reason.into(),
+        }
+    }
+}
+
+impl std::fmt::Display for FileError {
+    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+        write!(f, "{}: {}", self.path.display(), self.reason)
+    }
+}
+
+impl std::error::Error for FileError {}
+
+/// Where a file or folder of the game is: as given from the current directory, else next to the program, else
+/// in the source tree that the program was built from. A path found nowhere comes back as it was given.
+pub fn find(path: &Path) -> PathBuf {
+    let beside = std::env::current_exe()
+        .ok()
+        .and_then(|exe| Some(exe.parent()?.join(path)));
+    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join(path);
+    let candidates = [Some(path.to_path_buf()), beside, Some(source)];
+    candidates
+        .into_iter()
+        .flatten()
+        .find(|p| p.exists())
+        .unwrap_or_else(|| path.to_path_buf())
+}
+
+/// The whole text of a file.
+///
+/// # Errors
+/// The file is missing, a directory, not readable or not UTF-8.
+pub fn read_text(path: &Path) -> Result<String, FileError> {
+    let bytes = read(path)?;
+    String::from_utf8(bytes).map_err(|_| FileError::new(path, "is not a text file (UTF-8)"))
+}
+
+/// The whole content of a file.
+///
+/// # Errors
+/// The file is missing, a directory or not readable.
+pub fn read(path: &Path) -> Result<Vec<u8>, FileError> {
+    if path.is_dir() {
+        return Err(FileError::new(path, "is a directory, not a file"));
+    }
+    fs::read(path).map_err(|e| FileError::new(path, io_reason(&e)))
+}
+
+/// Writes a file so that at any moment there is either the old or the new content, never half of it.
+///
+/// # Errors
+/// The folder is missing or not writable, the disk is full, or the path is a directory.
+pub fn write_atomic(path: &Path, content: &[u8]) -> Result<(), FileError> {
+    if path.is_dir() {
+        return Err(FileError::new(path, "is a directory, not a file"));
+    }
+    let temporary = temporary_beside(path);
+    let write = || {
+        let mut file = fs::File::create(&temporary)?;
+        file.write_all(content)?;
+        file.sync_all()?;
+        fs::rename(&temporary, path)
+    };
+    write().map_err(|e: std::io::Error| {
+        let _ = fs::remove_file(&temporary); // it may not even exist
+        FileError::new(path, io_reason(&e))
+    })
+}
+
+/// Finds out now whether [`write_atomic`] could write there later.
+///
+/// # Errors
+/// As [`write_atomic`].
+pub fn check_writable(path: &Path) -> Result<(), FileError> {
+    if path.is_dir() {
+        return Err(FileError::new(path, "is a directory, not a file"));
+    }
+    let temporary = temporary_beside(path);
+    fs::File::create(&temporary)
+        .and_then(|_| fs::remove_file(&temporary))
+        .map_err(|e| FileError::new(path, format!("cannot be written: {}", io_reason(&e))))
+}
+
+/// A name in the same folder, so that a rename cannot cross file systems; of this process alone.
+fn temporary_beside(path: &Path) -> PathBuf {
+    let mut name = path.file_name().unwrap_or_default().to_os_string();
+    name.push(format!(".{}.tmp", std::process::id()));
+    path.with_file_name(name)
+}
+
+fn io_reason(error: &std::io::Error) -> String {
+    match error.kind() {
+        std::io::ErrorKind::NotFound => "not found".into(),
+        std::io::ErrorKind::PermissionDenied => "permission denied".into(),
+        _ => error.to_string(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_written_file_reads_back_and_leaves_nothing_beside_it() {
+        let folder = std::env::temp_dir().join(format!("edgewalker-files-{}", std::process::id()));
+        fs::create_dir_all(&folder).unwrap();
+        let path = folder.join("a.ron");
+        check_writable(&path).unwrap();
+        assert!(!path.exists());
+        write_atomic(&path, b"old").unwrap();
+        write_atomic(&path, b"new").unwrap();
+        assert_eq!(read_text(&path).unwrap(), "new");
+        assert_eq!(fs::read_dir(&folder).unwrap().count(), 1);
+        write_atomic(&path, b"\xff\xfe").unwrap();
+        assert!(
+            read_text(&path)
+                .unwrap_err()
+                .to_string()
+                .ends_with("a.ron: is not a text file (UTF-8)")
+        );
+        fs::remove_dir_all(&folder).unwrap();
+    }
+
+    #[test]
+    fn what_cannot_be_read_or_written_says_why() {
+        let nowhere = Path::new("no/such/folder/file");
+        assert_eq!(
+            read(nowhere).unwrap_err().to_string(),
+            "no/such/folder/file: not found"
+        );
+        assert!(
+            check_writable(nowhere)
+                .unwrap_err()
+                .to_string()
+                .contains("cannot be written: not found")
+        );
+        assert!(write_atomic(nowhere, b"").is_err());
+        assert_eq!(
+            read(Path::new("/")).unwrap_err().to_string(),
+            "/: is a directory, not a file"
+        );
+    }
+
+    #[test]
+    fn the_source_tree_is_the_last_place_to_look() {
+        assert!(find(Path::new("Cargo.toml")).is_file());
+        assert_eq!(find(Path::new("no/such/file")), Path::new("no/such/file"));
+    }
+}

@@ -1,0 +1,252 @@
+//! The camera that follows the hero: a plain value, stepped once per tick.
+//!
+//! It aims ahead of the motion, lets the hero jump without nodding along, and is smooth by construction:
+//! what it aims at passes two low-pass filters in a row, each solved exactly over the step. So the path does
+//! not depend on how time is cut into steps, nothing oscillates, and nothing in here can shake.
+//! Absent: collision with the level, zones, and any knowledge of the window.
+
+use super::{Stance, View};
+use crate::tune::Camera;
+use glam::{DVec2, DVec3};
+
+/// The lead turns round this much more slowly than the camera follows, so that a quick turn does not swing it.
+const LEAD_RATIO: f64 = 0.5;
+
+/// Share of half the picture's height that the hero may be away from its middle, however fast he falls.
+const KEEP_IN: f64 = 0.6;
+
+/// Where a picture is taken from. Metres; x right, y up, z towards the viewer, the plane of play at z = 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pose {
+    /// Where the camera is.
+    pub eye: DVec3,
+    /// What is in the middle of the picture.
+    pub target: DVec3,
+    /// Vertical opening angle, in degrees.
+    pub fov_degrees: f64,
+}
+
+impl Pose {
+    /// The pose at a share (0 to 1) of the way from `before` to `self`.
+    pub fn since(&self, before: &Pose, share: f64) -> Pose {
+        Pose {
+            eye: before.eye.lerp(self.eye, share),
+            target: before.target.lerp(self.target, share),
+            fov_degrees: self.fov_degrees,
+        }
+    }
+}
+
+/// What the camera remembers from tick to tick.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CameraState {
+    focus: DVec2,  // the point of the plane of play that is looked at, before `height`
+    lead: DVec2,   // how far ahead of the anchor the focus is drawn
+    anchor: DVec2, // the hero's place, without the small ups and downs of a jump
+    last: View,    // the view of the previous step
+}
+
+impl CameraState {
+    /// A camera at rest on the hero.
+    pub fn new(view: &View) -> CameraState {
+        CameraState {
+            focus: view.position,
+            lead: DVec2::ZERO,
+            anchor: view.position,
+            last: *view,
+        }
+    }
+
+    /// Follows for `dt` seconds; `look` from -1 (down) to 1 (up) is where the player asks to look.
+    pub fn step(&mut self, view: &View, look: f64, tuning: &Camera, dt: f64) {
+        if view.is_cut_from(&self.last) {
+            *self = CameraState::new(view);
+            return;
+        }
+        let before = self.anchor;
+        self.anchor = anchor(before, view, tuning.dead_zone_y);
+        let asked = DVec2::new(0.0, look.clamp(-1.0, 1.0) * tuning.look);
+        let wished = asked + wished_lead(view, self.anchor.y != before.y, tuning);
+        let rates = DVec2::new(tuning.stiffness_x, tuning.stiffness_y);
+        self.follow(before, wished, rates, dt);
+        self.keep_in_picture(view.position, tuning);
+        self.last = *view;
+    }
+
+    /// The two filters, both axes at once. With the anchor p moving evenly (velocity v) and the lead l drawn to
+    /// w, l' = a (w - l) and x' = k (p + l - x) have the solution below; a = k [`LEAD_RATIO`] keeps it regular.
+    fn follow(&mut self, before: DVec2, wished: DVec2, k: DVec2, dt: f64) {
+        if dt <= 0.0 {
+            return;
+        }
+        let a = k * LEAD_RATIO;
+        let lag = (self.anchor - before) / dt / k;
+        let (fade, lead_fade) = ((-k * dt).exp(), (-a * dt).exp());
+        let swing = (self.lead - wished) * (k / (k - a));
+        let rest = self.focus - (before - lag + wished + swing);
+        self.focus = self.anchor - lag + wished + swing * lead_fade + rest * fade;
+        self.lead = wished + (self.lead - wished) * lead_fade;
+    }
+
+    /// The last word: whatever the speed, the hero stays well inside the picture.
+    fn keep_in_picture(&mut self, hero: DVec2, tuning: &Camera) {
+        let half = DVec2::from_angle(tuning.field_of_view.to_radians() / 2.0);
+        let reach = DVec2::splat(KEEP_IN * tuning.distance * half.y / half.x);
+        self.focus = self.focus.clamp(hero - reach, hero + reach);
+    }
+
+    /// Where the picture is taken from.
+    pub fn pose(&self, tuning: &Camera) -> Pose {
+        let target = (self.focus + DVec2::new(0.0, tuning.height)).extend(0.0);
+        let eye = target + DVec3::new(0.0, tuning.tilt, tuning.distance);
+        Pose {
+            eye,
+            target,
+            fov_degrees: tuning.field_of_view,
+        }
+    }
+}
+
+/// The hero's place, but in the air its height changes only when he leaves the dead zone about it.
+fn anchor(before: DVec2, view: &View, dead_zone: f64) -> DVec2 {
+    let DVec2 { x, y } = view.position;
+    match view.stance {
+        Stance::Air => DVec2::new(x, before.y.clamp(y - dead_zone, y + dead_zone)),
+        Stance::Ground | Stance::Slide | Stance::Wedge => DVec2::new(x, y),
+    }
+}
+
+/// How far ahead the camera would like to be: sideways always, up and down only while the height is followed.
+fn wished_lead(view: &View, follows_height: bool, tuning: &Camera) -> DVec2 {
+    let DVec2 { x, y } = view.velocity * tuning.lead;
+    let lead = DVec2::new(x, if follows_height { y } else { 0.0 });
+    lead.clamp(
+        DVec2::splat(-tuning.lead_limit),
+        DVec2::splat(tuning.lead_limit),
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::game::blend::tests::view;
+
+    /// A run on flat ground at 8 m/s for `seconds`, in steps of `dt`; then the camera.
+    fn run(seconds: f64, dt: f64) -> (View, CameraState) {
+        let speed = DVec2::new(8.0, 0.0);
+        let at = |t: f64| View {
+            stance: Stance::Ground,
+            ..view(t, speed * t, speed)
+        };
+        let mut camera = CameraState::new(&at(0.0));
+        let steps = (seconds / dt).round() as u32;
+        for n in 1..=steps {
+            camera.step(&at(f64::from(n) * dt), 0.0, &Camera::default(), dt);
+        }
+        (at(f64::from(steps) * dt), camera)
+    }
+
+    #[test]
+    fn a_camera_on_a_resting_hero_does_not_move_by_a_bit() {
+        let still = View {
+            stance: Stance::Ground,
+            ..view(0.0, DVec2::new(3.7, -1.3), DVec2::ZERO)
+        };
+        let first = CameraState::new(&still);
+        let mut camera = first;
+        for _ in 0..10_000 {
+            camera.step(&still, 0.0, &Camera::default(), 1.0 / 120.0);
+        }
+        assert_eq!(camera, first);
+    }
+
+    #[test]
+    fn it_comes_to_rest_on_a_hero_who_stops_and_never_runs_further_than_the_lead() {
+        let (moving, mut camera) = run(2.0, 1.0 / 120.0);
+        let still = View {
+            velocity: DVec2::ZERO,
+            ..moving
+        };
+        for _ in 0..1200 {
+            camera.step(&still, 0.0, &Camera::default(), 1.0 / 120.0);
+            assert!((camera.focus.x - still.position.x).abs() < Camera::default().lead_limit);
+        }
+        assert!(
+            (camera.focus - still.position).length() < 1e-9,
+            "{camera:?}"
+        );
+    }
+
+    #[test]
+    fn it_leads_to_the_side_of_the_motion() {
+        let (at, camera) = run(3.0, 1.0 / 120.0);
+        let tuning = Camera::default();
+        let steady = 8.0 * tuning.lead - 8.0 / tuning.stiffness_x; // the lead less the lag of the filter
+        assert!(steady > 0.0);
+        assert!(
+            (camera.focus.x - at.position.x - steady).abs() < 1e-2,
+            "{camera:?}"
+        );
+    }
+
+    #[test]
+    fn the_path_does_not_depend_on_the_step() {
+        let (_, fine) = run(1.0, 1.0 / 960.0);
+        for rate in [24.0, 30.0, 60.0, 120.0, 240.0] {
+            let (_, coarse) = run(1.0, 1.0 / rate);
+            assert!(
+                (fine.focus - coarse.focus).length() < 1e-12,
+                "{rate}: {fine:?} {coarse:?}"
+            );
+        }
+    }
+
+    #[test]
+    fn a_hop_within_the_dead_zone_does_not_nod() {
+        let ground = View {
+            stance: Stance::Ground,
+            ..view(0.0, DVec2::ZERO, DVec2::ZERO)
+        };
+        let mut camera = CameraState::new(&ground);
+        for n in 1..=60 {
+            let t = f64::from(n) / 120.0;
+            let height = 4.0 * t * (0.5 - t) * 4.0; // up 1 m and down again in half a second
+            camera.step(
+                &view(t, DVec2::new(0.0, height), DVec2::ZERO),
+                0.0,
+                &Camera::default(),
+                1.0 / 120.0,
+            );
+            assert_eq!(camera.focus.y, 0.0);
+        }
+    }
+
+    #[test]
+    fn a_falling_hero_stays_in_the_picture_and_a_restart_is_a_cut() {
+        let fall = DVec2::new(0.0, -200.0);
+        let start = view(0.0, DVec2::ZERO, fall);
+        let mut camera = CameraState::new(&start);
+        let tuning = Camera::default();
+        for n in 1..=240 {
+            let t = f64::from(n) / 120.0;
+            camera.step(&view(t, fall * t, fall), 0.0, &tuning, 1.0 / 120.0);
+            assert!((camera.focus.y - fall.y * t).abs() < 0.6 * 0.4 * tuning.distance);
+        }
+        let restarted = view(2.01, DVec2::ZERO, DVec2::ZERO);
+        camera.step(&restarted, 0.0, &tuning, 1.0 / 120.0);
+        assert_eq!(camera, CameraState::new(&restarted));
+    }
+
+    #[test]
+    fn looking_up_lifts_the_aim_by_the_tuned_height() {
+        let still = View {
+            stance: Stance::Ground,
+            ..view(0.0, DVec2::ZERO, DVec2::ZERO)
+        };
+        let mut camera = CameraState::new(&still);
+        for _ in 0..1200 {
+            camera.step(&still, 1.0, &Camera::default(), 1.0 / 120.0);
+        }
+        assert!((camera.focus.y - Camera::default().look).abs() < 1e-6);
+    }
+}
