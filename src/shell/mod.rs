@@ -1,1 +1,3 @@
 //! The shell: window, picture, overlay.
+
+pub mod render;

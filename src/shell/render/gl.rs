@@ -1,0 +1,569 @@
+//! OpenGL 3.3 behind safe functions: the only file of the crate with unsafe code.
+//!
+//! Every call goes to the context that made the objects, so names cannot be mixed up. Memory is safe because all data
+//! crosses as checked slices, draws stay inside the vertices that were uploaded, and uniform buffers are as large as the
+//! smallest block limit that OpenGL guarantees. The context must be current on the calling thread; it is never sent away.
+#![allow(unsafe_code)]
+
+use glow::HasContext;
+use std::ops::Range;
+use std::rc::Rc;
+
+/// Bytes of every uniform buffer: the block size that each OpenGL 3.3 allows.
+const BLOCK_BYTES: usize = 16384;
+
+/// One vertex attribute; data are 32-bit words, so each format is a multiple of four bytes.
+#[derive(Clone, Copy, Debug)]
+pub enum Format {
+    /// A float.
+    F1,
+    /// Three floats.
+    F3,
+    /// Four floats.
+    F4,
+    /// Four bytes, 0 to 255 read as 0 to 1.
+    Unorm4,
+    /// Four signed bytes, -127 to 127 read as -1 to 1.
+    Snorm4,
+}
+
+impl Format {
+    /// Components, type, normalized, bytes.
+    fn parts(self) -> (i32, u32, bool, i32) {
+        match self {
+            Format::F1 => (1, glow::FLOAT, false, 4),
+            Format::F3 => (3, glow::FLOAT, false, 12),
+            Format::F4 => (4, glow::FLOAT, false, 16),
+            Format::Unorm4 => (4, glow::UNSIGNED_BYTE, true, 4),
+            Format::Snorm4 => (4, glow::BYTE, true, 4),
+        }
+    }
+}
+
+/// How the depth buffer takes part.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Depth {
+    /// Not at all.
+    Off,
+    /// Hidden fragments are dropped; nothing is written.
+    Test,
+    /// Hidden fragments are dropped; the others are written.
+    Write,
+}
+
+/// How a fragment meets the colour below it. Sources are premultiplied.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Blend {
+    /// Replaces it.
+    Off,
+    /// Covers it by its alpha; with alpha 0 it only adds light.
+    Over,
+}
+
+/// Faces that are dropped; front faces run counter-clockwise.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Cull {
+    /// None.
+    Off,
+    /// Those that look away.
+    Back,
+}
+
+/// An OpenGL context.
+#[derive(Clone)]
+pub struct Gl {
+    ctx: Rc<glow::Context>,
+}
+
+/// A linked program.
+pub struct Program {
+    ctx: Rc<glow::Context>,
+    raw: glow::Program,
+}
+
+/// Vertices (or instances) on the GPU, with their layout.
+pub struct Geometry {
+    ctx: Rc<glow::Context>,
+    array: glow::VertexArray,
+    buffer: glow::Buffer,
+    stride: usize,
+    capacity: usize,
+    count: usize,
+}
+
+/// A block of uniforms, bound for good to its binding point.
+pub struct Uniforms {
+    ctx: Rc<glow::Context>,
+    buffer: glow::Buffer,
+}
+
+/// A square depth texture that can be drawn into and compared with.
+pub struct DepthTarget {
+    ctx: Rc<glow::Context>,
+    texture: glow::Texture,
+    framebuffer: glow::Framebuffer,
+    size: i32,
+}
+
+/// A framebuffer that was bound by somebody else; `None` is the window.
+#[derive(Clone, Copy)]
+pub struct Target(Option<glow::Framebuffer>);
+
+/// What went wrong between source text and program.
+pub struct CompileError {
+    /// Whether the vertex shader is meant, the fragment shader, or neither (linking).
+    pub stage: Option<Stage>,
+    /// The driver's words.
+    pub log: String,
+}
+
+/// A stage of the pipeline.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Stage {
+    /// Once per vertex.
+    Vertex,
+    /// Once per fragment.
+    Fragment,
+}
+
+/// The words as bytes, in the order of this machine.
+fn bytes(words: &[u32]) -> &[u8] {
+    // SAFETY: u8 has no alignment and no invalid values; the length in bytes is that of the slice.
+    unsafe { std::slice::from_raw_parts(words.as_ptr().cast(), size_of_val(words)) }
+}
+
+impl Gl {
+    /// Wraps a context that is current on this thread.
+    pub fn new(ctx: Rc<glow::Context>) -> Self {
+        Gl { ctx }
+    }
+
+    /// Major and minor version of the context.
+    pub fn version(&self) -> (u32, u32) {
+        let version = self.ctx.version();
+        (version.major, version.minor)
+    }
+
+    /// The first error since the last call, as OpenGL's number.
+    pub fn take_error(&self) -> Option<u32> {
+        // SAFETY: no memory is involved.
+        let code = unsafe { self.ctx.get_error() };
+        (code != glow::NO_ERROR).then_some(code)
+    }
+
+    /// Compiles and links a program; its uniform blocks are bound to the points of `blocks`, by position.
+    pub fn program(
+        &self,
+        vertex: &str,
+        fragment: &str,
+        blocks: &[&str],
+    ) -> Result<Program, CompileError> {
+        let linking = |log| CompileError { stage: None, log };
+        // SAFETY: only names made here are used, and each is deleted once (the program by its Drop).
+        unsafe {
+            let vertex = self.shader(glow::VERTEX_SHADER, Stage::Vertex, vertex)?;
+            let fragment = self
+                .shader(glow::FRAGMENT_SHADER, Stage::Fragment, fragment)
+                .inspect_err(|_| self.ctx.delete_shader(vertex))?;
+            let raw = self.ctx.create_program().map_err(linking)?;
+            let program = Program {
+                ctx: self.ctx.clone(),
+                raw,
+            };
+            for shader in [vertex, fragment] {
+                self.ctx.attach_shader(raw, shader);
+            }
+            self.ctx.link_program(raw);
+            for shader in [vertex, fragment] {
+                self.ctx.detach_shader(raw, shader);
+                self.ctx.delete_shader(shader);
+            }
+            if !self.ctx.get_program_link_status(raw) {
+                return Err(linking(self.ctx.get_program_info_log(raw)));
+            }
+            for (point, name) in blocks.iter().enumerate() {
+                if let Some(index) = self.ctx.get_uniform_block_index(raw, name) {
+                    self.ctx.uniform_block_binding(raw, index, point as u32);
+                }
+            }
+            Ok(program)
+        }
+    }
+
+    /// Compiles one stage.
+    fn shader(&self, kind: u32, stage: Stage, source: &str) -> Result<glow::Shader, CompileError> {
+        let failed = |log| CompileError {
+            stage: Some(stage),
+            log,
+        };
+        // SAFETY: the name is made here and deleted here or handed out.
+        unsafe {
+            let shader = self.ctx.create_shader(kind).map_err(failed)?;
+            self.ctx.shader_source(shader, source);
+            self.ctx.compile_shader(shader);
+            if self.ctx.get_shader_compile_status(shader) {
+                return Ok(shader);
+            }
+            let log = self.ctx.get_shader_info_log(shader);
+            self.ctx.delete_shader(shader);
+            Err(failed(log))
+        }
+    }
+
+    /// Empty geometry; `per_instance` advances its attributes once per instance instead of once per vertex.
+    pub fn geometry(&self, layout: &[Format], per_instance: bool) -> Result<Geometry, String> {
+        let stride: i32 = layout.iter().map(|format| format.parts().3).sum();
+        // SAFETY: offsets stay below the stride; the names belong to the Geometry, which deletes them.
+        unsafe {
+            let array = self.ctx.create_vertex_array()?;
+            let buffer = self
+                .ctx
+                .create_buffer()
+                .inspect_err(|_| self.ctx.delete_vertex_array(array))?;
+            self.ctx.bind_vertex_array(Some(array));
+            self.ctx.bind_buffer(glow::ARRAY_BUFFER, Some(buffer));
+            let mut offset = 0;
+            for (index, format) in (0..).zip(layout) {
+                let (components, kind, normalized, size) = format.parts();
+                self.ctx.enable_vertex_attrib_array(index);
+                self.ctx
+                    .vertex_attrib_pointer_f32(index, components, kind, normalized, stride, offset);
+                self.ctx
+                    .vertex_attrib_divisor(index, u32::from(per_instance));
+                offset += size;
+            }
+            self.ctx.bind_vertex_array(None);
+            Ok(Geometry {
+                ctx: self.ctx.clone(),
+                array,
+                buffer,
+                stride: stride as usize,
+                capacity: 0,
+                count: 0,
+            })
+        }
+    }
+
+    /// A uniform block at a binding point.
+    pub fn uniforms(&self, point: u32) -> Result<Uniforms, String> {
+        // SAFETY: the buffer has BLOCK_BYTES bytes before anything reads it.
+        unsafe {
+            let buffer = self.ctx.create_buffer()?;
+            self.ctx.bind_buffer(glow::UNIFORM_BUFFER, Some(buffer));
+            self.ctx
+                .buffer_data_size(glow::UNIFORM_BUFFER, BLOCK_BYTES as i32, glow::DYNAMIC_DRAW);
+            self.ctx
+                .bind_buffer_base(glow::UNIFORM_BUFFER, point, Some(buffer));
+            Ok(Uniforms {
+                ctx: self.ctx.clone(),
+                buffer,
+            })
+        }
+    }
+
+    /// A depth texture of `size` by `size` texels, read by comparison with linear filtering.
+    pub fn depth_target(&self, size: u32) -> Result<DepthTarget, String> {
+        let size = size as i32;
+        let parameters = [
+            (glow::TEXTURE_MIN_FILTER, glow::LINEAR),
+            (glow::TEXTURE_MAG_FILTER, glow::LINEAR),
+            (glow::TEXTURE_WRAP_S, glow::CLAMP_TO_EDGE),
+            (glow::TEXTURE_WRAP_T, glow::CLAMP_TO_EDGE),
+            (glow::TEXTURE_COMPARE_MODE, glow::COMPARE_REF_TO_TEXTURE),
+            (glow::TEXTURE_COMPARE_FUNC, glow::LEQUAL),
+        ];
+        let bound = self.target();
+        // SAFETY: no client memory is passed; the names belong to the DepthTarget, which deletes them.
+        let (target, status) = unsafe {
+            let texture = self.ctx.create_texture()?;
+            let framebuffer = self
+                .ctx
+                .create_framebuffer()
+                .inspect_err(|_| self.ctx.delete_texture(texture))?;
+            let target = DepthTarget {
+                ctx: self.ctx.clone(),
+                texture,
+                framebuffer,
+                size,
+            };
+            self.ctx.bind_texture(glow::TEXTURE_2D, Some(texture));
+            let (inner, outer) = (glow::DEPTH_COMPONENT24 as i32, glow::DEPTH_COMPONENT);
+            self.ctx.tex_image_2d(
+                glow::TEXTURE_2D,
+                0,
+                inner,
+                size,
+                size,
+                0,
+                outer,
+                glow::UNSIGNED_INT,
+                None,
+            );
+            for (name, value) in parameters {
+                self.ctx
+                    .tex_parameter_i32(glow::TEXTURE_2D, name, value as i32);
+            }
+            self.ctx
+                .bind_framebuffer(glow::FRAMEBUFFER, Some(framebuffer));
+            self.ctx.framebuffer_texture_2d(
+                glow::FRAMEBUFFER,
+                glow::DEPTH_ATTACHMENT,
+                glow::TEXTURE_2D,
+                Some(texture),
+                0,
+            );
+            self.ctx.draw_buffer(glow::NONE);
+            self.ctx.read_buffer(glow::NONE);
+            (target, self.ctx.check_framebuffer_status(glow::FRAMEBUFFER))
+        };
+        self.bind(bound);
+        if status == glow::FRAMEBUFFER_COMPLETE {
+            Ok(target)
+        } else {
+            Err(format!("framebuffer status {status:#x}"))
+        }
+    }
+
+    /// The framebuffer that is bound for drawing.
+    pub fn target(&self) -> Target {
+        // SAFETY: a query of state.
+        Target(unsafe {
+            self.ctx
+                .get_parameter_framebuffer(glow::DRAW_FRAMEBUFFER_BINDING)
+        })
+    }
+
+    /// Binds a framebuffer that [`Gl::target`] named.
+    pub fn bind(&self, target: Target) {
+        // SAFETY: an unknown name is an OpenGL error, not a memory error.
+        unsafe { self.ctx.bind_framebuffer(glow::FRAMEBUFFER, target.0) }
+    }
+
+    /// Sets all state that the passes rely on, whatever others left behind.
+    pub fn reset(&self) {
+        use glow::{
+            BLEND, FRAMEBUFFER_SRGB, POLYGON_OFFSET_FILL, PRIMITIVE_RESTART, SCISSOR_TEST,
+            STENCIL_TEST,
+        };
+        // SAFETY: switches of state; no memory is involved.
+        unsafe {
+            for switch in [
+                BLEND,
+                FRAMEBUFFER_SRGB,
+                POLYGON_OFFSET_FILL,
+                PRIMITIVE_RESTART,
+                SCISSOR_TEST,
+                STENCIL_TEST,
+            ] {
+                self.ctx.disable(switch);
+            }
+            self.ctx.enable(glow::MULTISAMPLE);
+            self.ctx.polygon_mode(glow::FRONT_AND_BACK, glow::FILL);
+            self.ctx.color_mask(true, true, true, true);
+            self.ctx.front_face(glow::CCW);
+            self.ctx.cull_face(glow::BACK);
+            self.ctx.depth_func(glow::LEQUAL);
+            self.ctx.blend_equation(glow::FUNC_ADD);
+            self.ctx.blend_func(glow::ONE, glow::ONE_MINUS_SRC_ALPHA);
+            self.ctx.active_texture(glow::TEXTURE0);
+            self.ctx.bind_sampler(0, None);
+        }
+    }
+
+    /// How the next draws meet what is there.
+    pub fn state(&self, depth: Depth, blend: Blend, cull: Cull) {
+        let switch = |name, on| {
+            // SAFETY: a switch of state.
+            unsafe {
+                if on {
+                    self.ctx.enable(name)
+                } else {
+                    self.ctx.disable(name)
+                }
+            }
+        };
+        switch(glow::DEPTH_TEST, depth != Depth::Off);
+        switch(glow::BLEND, blend == Blend::Over);
+        switch(glow::CULL_FACE, cull == Cull::Back);
+        // SAFETY: as above.
+        unsafe { self.ctx.depth_mask(depth == Depth::Write) }
+    }
+
+    /// Draws into this part of the target and clears its depth; its colour is left to the passes.
+    pub fn viewport(&self, width: u32, height: u32) {
+        let clamp = |side: u32| side.min(i32::MAX as u32) as i32;
+        // SAFETY: OpenGL clamps the size to what it can do.
+        unsafe {
+            self.ctx.viewport(0, 0, clamp(width), clamp(height));
+            self.ctx.depth_mask(true);
+            self.ctx.clear(glow::DEPTH_BUFFER_BIT);
+        }
+    }
+
+    /// Fills the target with one colour, as it shall appear.
+    pub fn fill(&self, [r, g, b]: [f32; 3]) {
+        // SAFETY: no memory is involved.
+        unsafe {
+            self.ctx.clear_color(r, g, b, 1.0);
+            self.ctx.clear(glow::COLOR_BUFFER_BIT);
+        }
+    }
+
+    /// Draws triangles of per-vertex geometry; the range is cut to what there is.
+    pub fn triangles(&self, program: &Program, geometry: &Geometry, range: Range<usize>) {
+        let end = range.end.min(geometry.count);
+        let count = end.saturating_sub(range.start);
+        // SAFETY: the range lies within the uploaded vertices.
+        unsafe {
+            self.ctx.use_program(Some(program.raw));
+            self.ctx.bind_vertex_array(Some(geometry.array));
+            self.ctx
+                .draw_arrays(glow::TRIANGLES, range.start as i32, count as i32);
+        }
+    }
+
+    /// Draws all instances, each of `vertices` corners that the shader makes from `gl_VertexID`.
+    pub fn instances(&self, program: &Program, geometry: &Geometry, vertices: u32) {
+        // SAFETY: attributes advance per instance and there are `count` of them.
+        unsafe {
+            self.ctx.use_program(Some(program.raw));
+            self.ctx.bind_vertex_array(Some(geometry.array));
+            self.ctx.draw_arrays_instanced(
+                glow::TRIANGLES,
+                0,
+                vertices as i32,
+                geometry.count as i32,
+            );
+        }
+    }
+
+    /// The lower left `width` by `height` pixels of the bound framebuffer: RGB, rows from the top down.
+    pub fn read_pixels(&self, width: u32, height: u32) -> Vec<u8> {
+        let row = width as usize * 3;
+        let mut pixels = vec![0; row * height as usize];
+        if pixels.is_empty() {
+            return pixels;
+        }
+        // SAFETY: with a pack alignment of 1 exactly `row * height` bytes are written.
+        unsafe {
+            self.ctx.bind_buffer(glow::PIXEL_PACK_BUFFER, None);
+            self.ctx.pixel_store_i32(glow::PACK_ALIGNMENT, 1);
+            self.ctx.pixel_store_i32(glow::PACK_ROW_LENGTH, 0);
+            let into = glow::PixelPackData::Slice(&mut pixels);
+            self.ctx.read_pixels(
+                0,
+                0,
+                width as i32,
+                height as i32,
+                glow::RGB,
+                glow::UNSIGNED_BYTE,
+                into,
+            );
+        }
+        let (mut top, mut bottom) = (0, height as usize - 1);
+        while top < bottom {
+            let (above, below) = pixels.split_at_mut(bottom * row);
+            above[top * row..][..row].swap_with_slice(&mut below[..row]);
+            (top, bottom) = (top + 1, bottom - 1);
+        }
+        pixels
+    }
+}
+
+impl Geometry {
+    /// Replaces all vertices; the buffer grows when it must and never shrinks.
+    pub fn upload(&mut self, words: &[u32]) {
+        let data = bytes(words);
+        self.count = data.len() / self.stride;
+        // SAFETY: the sub-range that is written lies within the buffer, whose size is `capacity`.
+        unsafe {
+            self.ctx.bind_buffer(glow::ARRAY_BUFFER, Some(self.buffer));
+            if data.len() > self.capacity {
+                self.capacity = data.len().next_power_of_two();
+                self.ctx.buffer_data_size(
+                    glow::ARRAY_BUFFER,
+                    self.capacity as i32,
+                    glow::DYNAMIC_DRAW,
+                );
+            }
+            self.ctx
+                .buffer_sub_data_u8_slice(glow::ARRAY_BUFFER, 0, data);
+        }
+    }
+
+    /// Vertices (or instances) there are.
+    pub fn count(&self) -> usize {
+        self.count
+    }
+}
+
+impl Uniforms {
+    /// Replaces the start of the block.
+    pub fn upload(&self, words: &[u32]) {
+        let data = bytes(words);
+        assert!(
+            data.len() <= BLOCK_BYTES,
+            "a uniform block of {} bytes",
+            data.len()
+        );
+        // SAFETY: the buffer has BLOCK_BYTES bytes.
+        unsafe {
+            self.ctx
+                .bind_buffer(glow::UNIFORM_BUFFER, Some(self.buffer));
+            self.ctx
+                .buffer_sub_data_u8_slice(glow::UNIFORM_BUFFER, 0, data);
+        }
+    }
+}
+
+impl DepthTarget {
+    /// Makes it the target and clears it.
+    pub fn draw_into(&self, gl: &Gl) {
+        // SAFETY: the framebuffer is complete.
+        unsafe {
+            self.ctx
+                .bind_framebuffer(glow::FRAMEBUFFER, Some(self.framebuffer))
+        }
+        gl.viewport(self.size as u32, self.size as u32);
+    }
+
+    /// Lets shaders read it, at texture unit 0.
+    pub fn read_from(&self) {
+        // SAFETY: the texture lives as long as self; no program reads it while it is the target.
+        unsafe { self.ctx.bind_texture(glow::TEXTURE_2D, Some(self.texture)) }
+    }
+}
+
+impl Drop for Program {
+    fn drop(&mut self) {
+        // SAFETY: the name is ours and used nowhere else.
+        unsafe { self.ctx.delete_program(self.raw) }
+    }
+}
+
+impl Drop for Geometry {
+    fn drop(&mut self) {
+        // SAFETY: the names are ours and used nowhere else.
+        unsafe {
+            self.ctx.delete_vertex_array(self.array);
+            self.ctx.delete_buffer(self.buffer);
+        }
+    }
+}
+
+impl Drop for Uniforms {
+    fn drop(&mut self) {
+        // SAFETY: as above.
+        unsafe { self.ctx.delete_buffer(self.buffer) }
+    }
+}
+
+impl Drop for DepthTarget {
+    fn drop(&mut self) {
+        // SAFETY: as above.
+        unsafe {
+            self.ctx.delete_framebuffer(self.framebuffer);
+            self.ctx.delete_texture(self.texture);
+        }
+    }
+}

@@ -1,0 +1,222 @@
+//! The picture: a stage and a view of the game in, one frame out.
+//!
+//! OpenGL 3.3 core. Everything is flat-shaded triangles with colours per vertex and no textures; lighting is worked out per
+//! vertex in linear light, and fragments only ask for the key light's shadow. No floating-point target and no full-screen
+//! pass: each shader maps its own result to the screen (shaders/tone.glsl).
+
+mod debug;
+mod error;
+mod frame;
+mod gl;
+mod model;
+mod program;
+mod scene;
+
+pub use error::RenderError;
+pub use frame::{CameraPose, Frame, Line, PointLight, Tri};
+
+use crate::game::Stage;
+use debug::Debug;
+use frame::FrameBlock;
+use gl::{Blend, Cull, Depth, DepthTarget, Format, Geometry, Gl, Program, Uniforms};
+use glam::{Mat4, Vec3};
+use model::{Model, paint};
+use scene::{Chunk, Scene};
+use std::path::{Path, PathBuf};
+use std::rc::Rc;
+
+/// Layout of the model's vertices: position, normal, colour, traits.
+const VERTEX: [Format; 4] = [Format::F3, Format::Snorm4, Format::Unorm4, Format::Unorm4];
+/// Behind the debug lines when the world is not drawn.
+const BACKGROUND: [f32; 3] = [0.07, 0.08, 0.10];
+
+/// Draws frames. Owns everything it made in its OpenGL context.
+pub struct Renderer {
+    gl: Gl,
+    shader_dir: PathBuf,
+    programs: Programs,
+    frame_uniforms: Uniforms,
+    part_uniforms: Uniforms,
+    shadow_map: DepthTarget,
+    world: Geometry,
+    chunks: Vec<Chunk>,
+    hero: Geometry,
+    debug: Debug,
+    lights: Vec<PointLight>,
+    /// Room to put uploads together in, kept from frame to frame.
+    words: Vec<u32>,
+}
+
+/// One program for each pass.
+struct Programs {
+    shadow: Program,
+    world: Program,
+    sky: Program,
+    line: Program,
+    flat: Program,
+}
+
+impl Programs {
+    fn load(gl: &Gl, dir: &Path) -> Result<Programs, RenderError> {
+        let load = |vertex, fragment| program::load(gl, dir, vertex, fragment);
+        Ok(Programs {
+            shadow: load("shadow", "shadow")?,
+            world: load("world", "world")?,
+            sky: load("sky", "sky")?,
+            line: load("line", "flat")?,
+            flat: load("flat", "flat")?,
+        })
+    }
+}
+
+impl Renderer {
+    /// Compiles the shaders of a directory and makes the buffers; draws an empty world until a stage is set.
+    ///
+    /// # Errors
+    /// OpenGL is older than 3.3, a shader file is missing or wrong, or OpenGL is out of memory.
+    pub fn new(ctx: Rc<glow::Context>, shader_dir: &Path) -> Result<Renderer, RenderError> {
+        let gl = Gl::new(ctx);
+        if gl.version() < (3, 3) {
+            return Err(RenderError::Version {
+                found: gl.version(),
+            });
+        }
+        let programs = Programs::load(&gl, shader_dir)?;
+        let mut hero = gl.geometry(&VERTEX, false)?;
+        let mut model = Model::default();
+        model.block(
+            Vec3::ZERO,
+            (0.4, 0.3),
+            (0.3, 0.2),
+            1.7,
+            paint(0xb03030).on(1),
+        );
+        hero.upload(&model.words);
+        Ok(Renderer {
+            shader_dir: shader_dir.to_path_buf(),
+            programs,
+            frame_uniforms: gl.uniforms(0)?,
+            part_uniforms: gl.uniforms(1)?,
+            shadow_map: gl.depth_target(frame::SHADOW_TEXELS)?,
+            world: gl.geometry(&VERTEX, false)?,
+            chunks: Vec::new(),
+            hero,
+            debug: Debug::new(&gl)?,
+            lights: Vec::new(),
+            words: Vec::new(),
+            gl,
+        })
+    }
+
+    /// Replaces the world by that of a stage.
+    pub fn set_stage(&mut self, _stage: &Stage) {
+        let scene = Scene::default();
+        self.world.upload(&scene.words);
+        self.chunks = scene.chunks;
+        self.lights = scene.lights;
+    }
+
+    /// Reads all shaders again.
+    ///
+    /// # Errors
+    /// Names file and line of the first error; all programs stay as they were.
+    pub fn reload_shaders(&mut self) -> Result<(), RenderError> {
+        self.programs = Programs::load(&self.gl, &self.shader_dir)?;
+        Ok(())
+    }
+
+    /// Draws a frame into the framebuffer that is bound, `size` in its pixels. Without area nothing is drawn.
+    pub fn draw(&mut self, frame: &Frame, size: (u32, u32)) {
+        if size.0 == 0 || size.1 == 0 {
+            return;
+        }
+        let target = self.gl.target();
+        let block = self.upload(frame, size);
+        self.gl.reset();
+        if frame.show_world {
+            self.shadow_pass(&block);
+            self.gl.bind(target);
+            self.gl.viewport(size.0, size.1);
+            self.world_pass(&block);
+            self.sky_pass();
+        } else {
+            self.gl.viewport(size.0, size.1);
+            self.gl.fill(BACKGROUND);
+        }
+        self.debug_pass();
+    }
+
+    /// The picture that was drawn last, `size` in pixels: RGB, rows from the top down. Call before the buffers are swapped.
+    pub fn read_pixels(&self, size: (u32, u32)) -> Vec<u8> {
+        self.gl.read_pixels(size.0, size.1)
+    }
+
+    /// The first OpenGL error since the last call, as OpenGL's number.
+    pub fn take_error(&self) -> Option<u32> {
+        self.gl.take_error()
+    }
+
+    /// Hands the frame's values to the GPU.
+    fn upload(&mut self, frame: &Frame, size: (u32, u32)) -> FrameBlock {
+        let foot = frame.view.position.as_vec2().extend(0.0);
+        let block = FrameBlock {
+            hero: foot.extend(0.0),
+            ..FrameBlock::new(&frame.camera, size, frame.time)
+        };
+        block.write(&self.lights, &mut self.words);
+        self.frame_uniforms.upload(&self.words);
+        self.words.clear();
+        for part in [Mat4::IDENTITY, Mat4::from_translation(foot)] {
+            self.words.extend(part.to_cols_array().map(f32::to_bits));
+        }
+        self.part_uniforms.upload(&self.words);
+        self.debug.upload(frame.lines, frame.tris, &mut self.words);
+        block
+    }
+
+    /// Depth of everything near, seen from the key light.
+    fn shadow_pass(&self, block: &FrameBlock) {
+        self.shadow_map.draw_into(&self.gl);
+        self.gl.state(Depth::Write, Blend::Off, Cull::Off);
+        self.gl
+            .triangles(&self.programs.shadow, &self.hero, 0..usize::MAX);
+        for chunk in self
+            .chunks
+            .iter()
+            .filter(|chunk| block.shades(chunk.min, chunk.max))
+        {
+            self.gl
+                .triangles(&self.programs.shadow, &self.world, chunk.vertices.clone());
+        }
+    }
+
+    /// The hero, the level and the distance: from front to back, so that hidden fragments cost little.
+    fn world_pass(&self, block: &FrameBlock) {
+        self.shadow_map.read_from();
+        self.gl.state(Depth::Write, Blend::Off, Cull::Back);
+        self.gl
+            .triangles(&self.programs.world, &self.hero, 0..usize::MAX);
+        for chunk in self
+            .chunks
+            .iter()
+            .filter(|chunk| block.sees(chunk.min, chunk.max))
+        {
+            self.gl
+                .triangles(&self.programs.world, &self.world, chunk.vertices.clone());
+        }
+    }
+
+    /// The sky, wherever nothing else is.
+    fn sky_pass(&self) {
+        self.gl.state(Depth::Test, Blend::Off, Cull::Off);
+        self.gl.triangles(&self.programs.sky, &self.hero, 0..3);
+    }
+
+    /// Developers' drawings, over everything.
+    fn debug_pass(&self) {
+        self.gl.state(Depth::Off, Blend::Over, Cull::Off);
+        self.gl
+            .triangles(&self.programs.flat, &self.debug.tris, 0..usize::MAX);
+        self.gl.instances(&self.programs.line, &self.debug.lines, 6);
+    }
+}
