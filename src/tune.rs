@@ -97,7 +97,6 @@ tunables! {
         coyote_time = 0.1 in 0.0..=1.0, "s", "How long after walking off an edge a jump is still granted.";
         jump_buffer = 0.1 in 0.0..=1.0, "s", "How long before a landing a jump may be pressed.";
         max_slope = 1.0 in 0.0..=10.0, "rise/run", "Steepest ground that can be stood on; 1 is 45 degrees, included.";
-        slope_gravity = 0.0 in 0.0..=1.0, "", "Share of gravity that pulls along walkable ground.";
         joint = 1.0 in 0.0..=2.0, "", "What holds a walker to the ground where it bends away.", ["stick always", "curvature", "ballistic"];
         joint_stick = 40.0 in 0.0..=1000.0, "m/s^2", "Acceleration beside gravity that holds a walker to ground that curves away.";
         joint_span = 1.0 in 0.0001..=100.0, "m", "Longest stretch of an edge that counts as part of the curve at its end.";

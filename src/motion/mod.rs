@@ -1,1 +1,25 @@
-//! One body in the mesh.
+//! One body in the mesh: a hybrid automaton with a discrete place and closed-form pieces.
+//!
+//! A body is in the air, on a surface (walking, or sliding along what is too steep) or wedged at a vertex. Its *place*, a
+//! face or an edge of the mesh, is the truth about where it is; its position is derived. In every mode the acceleration is
+//! constant until an event, so that the motion is a parabola or a quadratic along an edge, and the time of the next event
+//! is a root in closed form. A piece keeps its base until a real event. Neither the end of a tick nor the crossing of
+//! a free edge is one, and so results depend neither on the tick rate nor on how free space is triangulated.
+//!
+//! In reading order: [`roots`] (when?), [`track`] (along what?), [`vertex`] (what next?), [`law`] (how fast?), [`body`] (the
+//! state), `step` (the sequence of events) with `air`, `surface` and `size`, [`check`] (the invariants).
+//!
+//! What is absent: moving solids, one-way platforms, ladders, several bodies. Static features are all there is.
+
+mod air;
+pub mod body;
+pub mod check;
+pub mod law;
+pub mod roots;
+mod size;
+mod step;
+mod surface;
+pub mod track;
+pub mod vertex;
+
+pub use body::{Body, Control, Event, EventKind, Mode, Size, SpawnError, Terrain, Trace};

@@ -1,0 +1,247 @@
+//! In the air: free faces are crossed, blocking edges are hit.
+
+use super::body::{Air, Body, EventKind, Mode, Next, Surface, Terrain, Trace, Wedge};
+use super::law;
+use super::roots::exit;
+use super::track::{Track, delta, walkable};
+use super::vertex::{Bearing, Sector, sector, segment_at};
+use crate::geom::{Point, STEP};
+use crate::mesh::{EdgeId, Mesh, SegmentId, VertexId};
+use crate::tune::Motion;
+use glam::DVec2;
+
+/// How far a hit on a piece of a feature edge that rounding has displaced may lie from the feature edge itself, m.
+const DISPLACED: f64 = 4.0 * STEP;
+
+impl Air {
+    /// The first of: leaving the face, reaching a speed limit.
+    pub(super) fn next(&self, mesh: &Mesh, tuning: &Motion) -> Option<(f64, Next)> {
+        let first = mesh.face_edge(self.face);
+        let second = mesh.lnext(first);
+        let mut best: Option<(f64, bool, EdgeId)> = None;
+        for e in [first, second, mesh.lnext(second)] {
+            let blocks = mesh.blocks(e);
+            let Some(at) = self.leaves(mesh, e, blocks) else { continue };
+            // At a vertex a free edge goes first: whether the corner is hit is for the face behind it to say.
+            if best.is_none_or(|(b, stops, _)| at < b || at == b && stops && !blocks) {
+                best = Some((at, blocks, e));
+            }
+        }
+        let left = best.map(|(dt, blocks, e)| match blocks {
+            true => (self.t0 + self.on_feature_edge(mesh, e, dt, tuning), Next::Hit(e)),
+            false => (self.t0 + dt, Next::Cross(e)),
+        });
+        let limit = self.limits.iter().flatten().map(|l| l.0).min_by(f64::total_cmp);
+        match (left, limit) {
+            (Some(left), Some(limit)) if limit < left.0 => Some((limit, Next::Limit)),
+            (None, Some(limit)) => Some((limit, Next::Limit)),
+            (left, _) => left,
+        }
+    }
+
+    /// When the parabola leaves the face over its edge `e`, as a time after `t0`.
+    fn leaves(&self, mesh: &Mesh, e: EdgeId, blocks: bool) -> Option<f64> {
+        let (c, b, q) = self.distance(mesh.point(mesh.origin(e)), mesh.point(mesh.dest(e)));
+        let over_piece = exit(c, b, q, self.since)?;
+        if !blocks {
+            return Some(over_piece);
+        }
+        let touched = mesh.uses(e).find(|u| !u.forward && self.touching.contains(&Some(u.segment)));
+        match touched {
+            None => Some(over_piece),
+            // Its pieces may point anywhere. It is hit only by coming down on the feature edge again.
+            Some(u) => {
+                let (c, b, q) = Track::of(mesh.segment(u.segment)).height(self.p0, self.v0, self.accel);
+                let (c, b) = if c <= 0.0 { (0.0, b.max(0.0)) } else { (c, b) };
+                Some(over_piece.max(exit(c, b, q, self.since)?))
+            }
+        }
+    }
+
+    /// Signed area distance to the line from `from` to `to`, positive on its left, and its derivatives: c, b, e of [`exit`].
+    /// Anchored at the lower point, so that a mirrored world gives the same bits.
+    pub(super) fn distance(&self, from: Point, to: Point) -> (f64, f64, f64) {
+        let (dx, dy) = delta(from, to);
+        let d = DVec2::new(dx as f64, dy as f64);
+        let anchor = if dy < 0 { to } else { from };
+        (d.perp_dot(self.p0 - anchor.metres()), d.perp_dot(self.v0), 0.5 * d.perp_dot(self.accel))
+    }
+
+    /// A piece of a feature edge that was cut lies up to half a step beside it: the time of the hit is that on the feature
+    /// edge itself, so that cuts elsewhere along it change nothing.
+    fn on_feature_edge(&self, mesh: &Mesh, e: EdgeId, dt: f64, tuning: &Motion) -> f64 {
+        let cut = |s: &SegmentId| mesh.chain(*s).len() > 2;
+        let Some(s) = segment_at(mesh, e, tuning.max_slope, |_| false).filter(cut) else { return dt };
+        let (c, b, q) = Track::of(mesh.segment(s)).height(self.p0, self.v0, self.accel);
+        let moved = |there: f64| (self.position(self.t0 + there) - self.position(self.t0 + dt)).length();
+        exit(c.max(0.0), b, q, self.since).filter(|&there| moved(there) <= DISPLACED).unwrap_or(dt)
+    }
+}
+
+impl Body {
+    /// Over a free edge: no event of the motion, only of the place.
+    pub(super) fn cross(&mut self, edge: EdgeId, terrain: &Terrain, trace: &mut Trace) {
+        let mesh = terrain.mesh(self.size);
+        if let Mode::Air(air) = &mut self.mode {
+            air.face = mesh.left(mesh.sym(edge)).expect("a free edge has a face on either side");
+            air.since = (self.time - air.t0).max(air.since);
+        }
+        trace.crossed += 1;
+        self.schedule(terrain);
+    }
+
+    /// At a blocking edge.
+    pub(super) fn hit(&mut self, edge: EdgeId, terrain: &Terrain, trace: &mut Trace) {
+        let mesh = terrain.mesh(self.size);
+        let at = self.position();
+        for spoke in [edge, mesh.lnext(edge)] {
+            if mesh.point(mesh.origin(spoke)).metres() == at {
+                return self.hit_vertex(spoke, terrain, trace);
+            }
+        }
+        match segment_at(mesh, edge, terrain.tuning.max_slope, |_| false) {
+            Some(segment) => self.contact(segment, edge, terrain, trace),
+            None => self.wedge(at, edge, terrain, trace),
+        }
+    }
+
+    /// Meets a feature edge in the inside of one of its pieces.
+    fn contact(&mut self, segment: SegmentId, edge: EdgeId, terrain: &Terrain, trace: &mut Trace) {
+        let mesh = terrain.mesh(self.size);
+        let track = Track::of(mesh.segment(segment));
+        let (at, v) = (self.position(), self.velocity());
+        let into = -track.normal.dot(v);
+        if into < 0.0 {
+            // Moving off: only a lip that rounding has left is in the way, less than a step high.
+            if let Mode::Air(air) = &mut self.mode {
+                air.since = (self.time - air.t0).max(air.since);
+                air.touching = [Some(segment), air.touching[0]];
+            }
+            return;
+        }
+        let ends = [mesh.origin(edge), mesh.dest(edge)].map(|v| track.parameter_of(mesh.point(v)));
+        let s = track.parameter(at).clamp(ends[0].min(ends[1]), ends[0].max(ends[1]));
+        self.settle(segment, edge, s, track.tangent.dot(v), into, terrain, trace);
+    }
+
+    /// Comes to a surface, at a parameter, with a speed along it and a speed into it. Ground is landed on; what cannot be
+    /// stood on is slid along. [`Body::part_if_pulled`] decides whether it lasts.
+    #[allow(clippy::too_many_arguments)]
+    pub(super) fn settle(&mut self, segment: SegmentId, edge: EdgeId, s0: f64, u0: f64, into: f64, terrain: &Terrain, trace: &mut Trace) {
+        let mesh = terrain.mesh(self.size);
+        let feature_edge = mesh.segment(segment);
+        let walkable = walkable(feature_edge, terrain.tuning.max_slope);
+        if walkable {
+            (self.rising, self.coyote_from) = (false, None);
+            self.log(EventKind::Landed(into), trace);
+        } else {
+            self.log(EventKind::Hit(into), trace);
+        }
+        let track = Track::of(feature_edge);
+        let (accel, limit, since, against) = (0.0, None, 0.0, 0.0);
+        self.mode = Mode::Surface(Surface { t0: self.time, s0, u0, accel, limit, segment, track, edge, since, walkable, against });
+    }
+
+    /// Off a steep surface as soon as gravity and the active push together point away from it.
+    pub(super) fn part_if_pulled(&mut self, terrain: &Terrain, trace: &mut Trace) {
+        let Mode::Surface(on) = &self.mode else { return };
+        if on.walkable {
+            return;
+        }
+        let fall = law::fall(on.u0 * on.track.tangent.y, &self.control, terrain.tuning);
+        let push = terrain.tuning.air_accel * self.control.run.signum() * f64::from(self.control.run != 0.0);
+        if on.track.normal.dot(DVec2::new(push, fall.accel)) > 0.0 {
+            let (segment, face) = (on.segment, self.face(terrain.mesh(self.size)));
+            self.fly(self.position(), self.velocity(), face, [Some(segment), None]);
+            self.log(EventKind::Parted, trace);
+        }
+    }
+
+    /// At a vertex, exactly. `spoke` leaves it, with the free face that the body comes from on its left.
+    ///
+    /// If the motion leads into a free sector it was only a touch. Else the body meets the two edges that bound the
+    /// solid sector: it goes on along one that it can follow, walkable ones first; it rests where there is none (a V),
+    /// and on a tip whose two sides it strikes at once.
+    fn hit_vertex(&mut self, spoke: EdgeId, terrain: &Terrain, trace: &mut Trace) {
+        let Mode::Air(air) = &self.mode else { return };
+        let mesh = terrain.mesh(self.size);
+        let (v, accel) = (self.velocity(), air.accel);
+        let (out, into) = match sector(mesh, spoke, Bearing::of(v, accel)) {
+            Sector::Free(face) => {
+                if let Mode::Air(air) = &mut self.mode {
+                    air.face = face;
+                    air.since = (self.time - air.t0).max(air.since);
+                }
+                trace.crossed += 1;
+                return;
+            }
+            Sector::Solid(out, into) => (out, into),
+        };
+        let vertex = mesh.origin(out);
+        let sides = [out, into].map(|e| self.meet(e, vertex, v, accel, terrain));
+        let [Some(a), Some(b)] = sides else { return self.wedge(mesh.point(vertex).metres(), out, terrain, trace) };
+        let tip = a.struck && b.struck && !a.walkable && !b.walkable;
+        let best = [&a, &b].into_iter().filter(|m| m.struck && (m.outward >= 0.0 || m.walkable) && !tip);
+        match best.max_by(|a, b| a.rank().partial_cmp(&b.rank()).expect("no NaN in a motion")) {
+            Some(m) => {
+                let s = Track::of(mesh.segment(m.segment)).parameter_of(mesh.point(vertex));
+                let balanced = a.rank() == b.rank();
+                let along = if m.outward > 0.0 && !balanced { m.along } else { 0.0 };
+                self.settle(m.segment, m.edge, s, along, m.into, terrain, trace);
+            }
+            None => self.wedge(mesh.point(vertex).metres(), out, terrain, trace),
+        }
+    }
+
+    /// How a motion at a vertex meets one of the edges there.
+    fn meet(&self, edge: EdgeId, vertex: VertexId, v: DVec2, accel: DVec2, terrain: &Terrain) -> Option<Meeting> {
+        let mesh = terrain.mesh(self.size);
+        let segment = segment_at(mesh, edge, terrain.tuning.max_slope, |_| false)?;
+        let track = Track::of(mesh.segment(segment));
+        let into = -track.normal.dot(v);
+        // Along the edge and away from the vertex: with the free side on the left for the edge that starts there.
+        let away = if (mesh.origin(edge) == vertex) == track.leftward_free { 1.0 } else { -1.0 };
+        let along = track.tangent.dot(v);
+        Some(Meeting {
+            segment,
+            edge,
+            into,
+            along,
+            outward: along * away,
+            struck: into > 0.0 || into == 0.0 && track.normal.dot(accel) < 0.0,
+            walkable: walkable(mesh.segment(segment), terrain.tuning.max_slope),
+            normal_y: track.normal.y,
+        })
+    }
+
+    /// Held from here on, until a jump.
+    pub(super) fn wedge(&mut self, at: DVec2, edge: EdgeId, terrain: &Terrain, trace: &mut Trace) {
+        let face = terrain.mesh(self.size).left(edge).expect("free on the left of a blocking edge");
+        self.rising = false;
+        self.mode = Mode::Wedge(Wedge { at, face });
+        self.log(EventKind::Wedged, trace);
+    }
+}
+
+/// How a motion at a vertex meets one of its edges.
+struct Meeting {
+    segment: SegmentId,
+    edge: EdgeId,
+    /// Speed into it.
+    into: f64,
+    /// Speed along its tangent.
+    along: f64,
+    /// Speed along it, away from the vertex.
+    outward: f64,
+    /// The motion goes into it.
+    struck: bool,
+    walkable: bool,
+    normal_y: f64,
+}
+
+impl Meeting {
+    /// Which of two edges a body goes on along; equal only for mirror images, between which it balances.
+    fn rank(&self) -> (bool, bool, bool, f64, f64) {
+        (self.struck, self.walkable, self.outward >= 0.0, self.normal_y, self.into)
+    }
+}

@@ -1,0 +1,360 @@
+//! The state of one body, and what can be read from it.
+
+use super::track::Track;
+use crate::mesh::{EdgeId, FaceId, Mesh, SegmentId};
+use crate::tune::Motion;
+use glam::DVec2;
+use serde::{Deserialize, Serialize};
+use xxhash_rust::xxh3::Xxh3;
+
+/// What the body's will is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Control {
+    /// Wished run, as a share of full speed: -1 (left) to 1 (right).
+    pub run: f64,
+    /// Jump is held.
+    pub jump: bool,
+    /// Down is held: crouch on the ground, fall fast in the air.
+    pub down: bool,
+}
+
+/// The sizes of a body. Their colliders share the lower chain, so that their meshes have the same floors.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Size {
+    /// Upright.
+    #[default]
+    Stand,
+    /// Crouched.
+    Crouch,
+}
+
+/// What a body moves in.
+#[derive(Clone, Copy, Debug)]
+pub struct Terrain<'a> {
+    /// Mesh of the level for the standing collider.
+    pub stand: &'a Mesh,
+    /// Mesh of the level for the crouching collider.
+    pub crouch: &'a Mesh,
+    /// How it moves.
+    pub tuning: &'a Motion,
+}
+
+impl<'a> Terrain<'a> {
+    /// The mesh for a size.
+    pub fn mesh(&self, size: Size) -> &'a Mesh {
+        match size {
+            Size::Stand => self.stand,
+            Size::Crouch => self.crouch,
+        }
+    }
+}
+
+/// In the air: a parabola through free faces.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Air {
+    /// Start of the piece, s.
+    pub t0: f64,
+    /// Position then, m.
+    pub p0: DVec2,
+    /// Velocity then, m/s.
+    pub v0: DVec2,
+    /// Acceleration throughout, m/s^2.
+    pub accel: DVec2,
+    /// For x and y: when the speed reaches a limit, and which.
+    pub limits: [Option<(f64, f64)>; 2],
+    /// The discrete place.
+    pub face: FaceId,
+    /// How long after `t0` that face was entered, s.
+    pub since: f64,
+    /// Feature edges that the body has just left: not yet apart from them, as rounding goes.
+    pub touching: [Option<SegmentId>; 2],
+}
+
+/// On a surface: a quadratic along a feature edge.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Surface {
+    /// Start of the piece, s.
+    pub t0: f64,
+    /// Parameter then, m.
+    pub s0: f64,
+    /// Speed along the tangent then, m/s.
+    pub u0: f64,
+    /// Acceleration along the tangent, m/s^2.
+    pub accel: f64,
+    /// When the speed reaches a limit, and which.
+    pub limit: Option<(f64, f64)>,
+    /// The feature edge.
+    pub segment: SegmentId,
+    /// Its line.
+    pub track: Track,
+    /// The discrete place: the mesh edge, with the free face on its left.
+    pub edge: EdgeId,
+    /// How long after `t0` that edge was entered, s.
+    pub since: f64,
+    /// Ground, not a slide.
+    pub walkable: bool,
+    /// The sign of the parameter's direction that is walled up here, or 0.
+    pub against: f64,
+}
+
+/// Held at a vertex by two edges that drive the body back.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Wedge {
+    /// The vertex, m.
+    pub at: DVec2,
+    /// A free face there.
+    pub face: FaceId,
+}
+
+/// What the body is doing.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Mode {
+    /// In the air.
+    Air(Air),
+    /// On a surface.
+    Surface(Surface),
+    /// Wedged.
+    Wedge(Wedge),
+}
+
+/// What happens next, in closed form.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub(super) enum Next {
+    /// A free edge is crossed into its right face.
+    Cross(EdgeId),
+    /// A blocking edge is reached.
+    Hit(EdgeId),
+    /// A speed limit is reached.
+    Limit,
+    /// The vertex ahead on the surface is reached.
+    Vertex,
+    /// There is room to stand up.
+    Clear,
+}
+
+/// One body. A plain value: clone it to take a snapshot.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Body {
+    pub(super) mode: Mode,
+    pub(super) size: Size,
+    pub(super) control: Control,
+    /// Simulated time, s.
+    pub(super) time: f64,
+    /// When jump was pressed, while that press has not been used.
+    pub(super) pressed_at: Option<f64>,
+    /// When the ground was left by walking off it.
+    pub(super) coyote_from: Option<f64>,
+    /// In the rise of a jump whose key is still held.
+    pub(super) rising: bool,
+    /// The next event and its time; `None` if nothing will ever happen by itself.
+    pub(super) next: Option<(f64, Next)>,
+}
+
+/// Something that happened to a body.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Event {
+    /// Simulated time, within the tick, s.
+    pub time: f64,
+    /// What.
+    pub kind: EventKind,
+}
+
+/// Kinds of events.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub enum EventKind {
+    /// Took off.
+    Jumped,
+    /// Walked off the ground.
+    Left,
+    /// Came to walkable ground, with this speed into it (m/s).
+    Landed(f64),
+    /// Met a wall, a ceiling or too steep a slope, with this speed into it (m/s).
+    Hit(f64),
+    /// Came off a wall or a steep slope.
+    Parted,
+    /// Walked round a bend.
+    Joint,
+    /// Walked against a wall, with this speed (m/s).
+    Stopped(f64),
+    /// Was wedged.
+    Wedged,
+    /// Changed size.
+    Resized(Size),
+    /// Reached the speed that it was accelerating to, or a change of gravity.
+    Limit,
+    /// Was held where it is because its events did not end: a defect of this code, kept from hanging the game.
+    Stuck,
+}
+
+/// What happened in a step: the events, and the counts that bound its work.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Trace {
+    /// In order of time.
+    pub events: Vec<Event>,
+    /// Free edges crossed in the air.
+    pub crossed: u64,
+    /// Vertices passed on surfaces without an event.
+    pub passed: u64,
+}
+
+impl Trace {
+    /// Forgets everything; keeps the memory.
+    pub fn clear(&mut self) {
+        self.events.clear();
+        (self.crossed, self.passed) = (0, 0);
+    }
+}
+
+/// A body cannot be placed here.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum SpawnError {
+    /// The position is not a number, or outside the world.
+    Outside,
+    /// The collider would overlap solids there.
+    Solid,
+}
+
+impl std::fmt::Display for SpawnError {
+    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+        f.write_str(match self {
+            SpawnError::Outside => "the position is outside the world",
+            SpawnError::Solid => "the body does not fit there: it overlaps a solid",
+        })
+    }
+}
+
+impl std::error::Error for SpawnError {}
+
+impl Air {
+    pub(super) fn position(&self, t: f64) -> DVec2 {
+        let dt = t - self.t0;
+        self.p0 + self.v0 * dt + self.accel * (0.5 * dt * dt)
+    }
+
+    pub(super) fn velocity(&self, t: f64) -> DVec2 {
+        self.v0 + self.accel * (t - self.t0)
+    }
+}
+
+impl Surface {
+    pub(super) fn parameter(&self, t: f64) -> f64 {
+        let dt = t - self.t0;
+        self.s0 + self.track.rate() * (self.u0 * dt + 0.5 * self.accel * dt * dt)
+    }
+
+    pub(super) fn speed(&self, t: f64) -> f64 {
+        self.u0 + self.accel * (t - self.t0)
+    }
+
+    /// 1 or -1 as the motion goes to larger or smaller parameters; 0 at rest.
+    pub(super) fn sign(&self) -> f64 {
+        match (self.u0 != 0.0, self.accel != 0.0) {
+            (true, _) => self.u0.signum(),
+            (false, true) => self.accel.signum(),
+            (false, false) => 0.0,
+        }
+    }
+}
+
+impl Body {
+    /// Simulated time, s.
+    pub fn time(&self) -> f64 {
+        self.time
+    }
+
+    /// What the body is doing.
+    pub fn mode(&self) -> &Mode {
+        &self.mode
+    }
+
+    /// Its size.
+    pub fn size(&self) -> Size {
+        self.size
+    }
+
+    /// The control in force.
+    pub fn control(&self) -> Control {
+        self.control
+    }
+
+    /// Where the reference point, the middle of the foot, is; m.
+    pub fn position(&self) -> DVec2 {
+        match &self.mode {
+            Mode::Air(air) => air.position(self.time),
+            Mode::Surface(on) => on.track.position(on.parameter(self.time)),
+            Mode::Wedge(wedge) => wedge.at,
+        }
+    }
+
+    /// m/s.
+    pub fn velocity(&self) -> DVec2 {
+        match &self.mode {
+            Mode::Air(air) => air.velocity(self.time),
+            Mode::Surface(on) => on.track.tangent * on.speed(self.time),
+            Mode::Wedge(_) => DVec2::ZERO,
+        }
+    }
+
+    /// Unit normal of the surface, towards the body; zero in the air.
+    pub fn normal(&self) -> DVec2 {
+        match &self.mode {
+            Mode::Surface(on) => on.track.normal,
+            Mode::Air(_) => DVec2::ZERO,
+            Mode::Wedge(_) => DVec2::Y,
+        }
+    }
+
+    /// On walkable ground.
+    pub fn supported(&self) -> bool {
+        matches!(&self.mode, Mode::Surface(on) if on.walkable)
+    }
+
+    /// The feature edge that the body is on.
+    pub fn segment(&self) -> Option<SegmentId> {
+        match &self.mode {
+            Mode::Surface(on) => Some(on.segment),
+            _ => None,
+        }
+    }
+
+    /// The mesh edge that the body is on, with the free face on its left.
+    pub fn edge(&self) -> Option<EdgeId> {
+        match &self.mode {
+            Mode::Surface(on) => Some(on.edge),
+            _ => None,
+        }
+    }
+
+    /// The free face that the body is in or beside, in the mesh of its size.
+    pub fn face(&self, mesh: &Mesh) -> FaceId {
+        match &self.mode {
+            Mode::Air(air) => air.face,
+            Mode::Surface(on) => mesh.left(on.edge).expect("a free face lies left of a surface's edge"),
+            Mode::Wedge(wedge) => wedge.face,
+        }
+    }
+
+    /// Adds the state to a hash: what players can tell, never handles of the mesh. -0.0 counts as 0.0.
+    pub fn hash_into(&self, hash: &mut Xxh3) {
+        let (p, v) = (self.position(), self.velocity());
+        let (mode, place) = match &self.mode {
+            Mode::Air(_) => (0, [p.x, p.y]),
+            Mode::Surface(on) => (1 + u8::from(on.walkable), [on.parameter(self.time), 0.0]),
+            Mode::Wedge(_) => (3, [p.x, p.y]),
+        };
+        let flags = [mode, u8::from(self.size == Size::Crouch), u8::from(self.rising)];
+        hash.update(&flags);
+        let timer = |t: Option<f64>| t.unwrap_or(-1.0);
+        let numbers = [place[0], place[1], v.x, v.y, self.time, timer(self.pressed_at), timer(self.coyote_from)];
+        for number in numbers {
+            hash.update(&(number + 0.0).to_bits().to_le_bytes());
+        }
+    }
+
+    /// Hash of the state; equal in every build on every machine.
+    pub fn hash(&self) -> u64 {
+        let mut hash = Xxh3::new();
+        self.hash_into(&mut hash);
+        hash.digest()
+    }
+}

@@ -1,0 +1,123 @@
+//! The accelerations: for every mode a constant, chosen from the control, the tuning and the speed, together with the speed
+//! at which the choice changes.
+
+use super::body::Control;
+use crate::tune::Motion;
+
+/// A constant acceleration and the speed at which it stops to hold; `None` if it holds for ever.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Law {
+    /// m/s^2.
+    pub accel: f64,
+    /// m/s; always in the direction of `accel`.
+    pub until: Option<f64>,
+}
+
+impl Law {
+    const REST: Law = Law { accel: 0.0, until: None };
+
+    /// Towards a speed, and no further.
+    fn towards(speed: f64, target: f64, rate: f64) -> Law {
+        if rate == 0.0 || speed == target {
+            return Law::REST;
+        }
+        Law { accel: rate.copysign(target - speed), until: Some(target) }
+    }
+
+    /// How long it holds from a speed on.
+    pub fn time_left(&self, speed: f64) -> Option<f64> {
+        self.until.map(|until| (until - speed) / self.accel)
+    }
+}
+
+/// Drives a speed to the wished one: `accel` when it is too low, `brake` when it must stop or turn first, `decay` when it is
+/// over the wish (over-speed decays and is never clipped).
+fn drive(speed: f64, target: f64, accel: f64, brake: f64, decay: f64) -> Law {
+    if target == 0.0 || speed * target < 0.0 {
+        Law::towards(speed, 0.0, brake)
+    } else if speed.abs() <= target.abs() {
+        Law::towards(speed, target, accel)
+    } else {
+        Law::towards(speed, target, decay)
+    }
+}
+
+/// Along walkable ground, in the direction of growing x.
+pub fn run(speed: f64, control: &Control, crouched: bool, t: &Motion) -> Law {
+    let full = if crouched { t.crouch_speed } else { t.run_speed };
+    drive(speed, control.run * full, t.run_accel, t.run_brake, t.over_speed_decay)
+}
+
+/// Sideways in the air.
+pub fn steer(speed: f64, control: &Control, t: &Motion) -> Law {
+    drive(speed, control.run * t.run_speed, t.air_accel, t.air_brake, t.over_speed_decay)
+}
+
+/// Up and down in the air: gravity, the band of reduced gravity about the apex of a held jump, the fast fall, the
+/// terminal speed. Speeds count upwards.
+pub fn fall(speed: f64, control: &Control, t: &Motion) -> Law {
+    let (terminal, heavy) = match control.down {
+        true => (t.fast_fall_speed, t.fast_fall_gravity),
+        false => (t.fall_speed, 1.0),
+    };
+    let floats = control.jump && t.apex_gravity < 1.0 && t.apex_speed > 0.0;
+    // Below each of these speeds another share of gravity acts; the last one is the terminal speed.
+    let share = |below: f64| {
+        let falling = if below <= 0.0 { heavy } else { 1.0 };
+        if floats && below <= t.apex_speed && below > -t.apex_speed { t.apex_gravity * falling } else { falling }
+    };
+    if speed < -terminal {
+        return Law::towards(speed, -terminal, t.over_speed_decay);
+    }
+    if speed == -terminal {
+        return Law::REST;
+    }
+    let mut marks = [f64::NEG_INFINITY; 3];
+    if floats {
+        marks = [t.apex_speed, f64::NEG_INFINITY, -t.apex_speed];
+    }
+    if heavy != 1.0 {
+        marks[1] = 0.0;
+    }
+    let next = marks.into_iter().find(|&m| m < speed && m > -terminal).unwrap_or(-terminal);
+    Law::towards(speed, next, t.gravity * share(speed))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn tuning() -> Motion {
+        Motion { gravity: 30.0, apex_speed: 4.0, apex_gravity: 0.5, fall_speed: 20.0, ..Motion::default() }
+    }
+
+    #[test]
+    fn a_held_jump_passes_the_band_of_reduced_gravity() {
+        let held = Control { jump: true, ..Control::default() };
+        let law = |speed| fall(speed, &held, &tuning());
+        assert_eq!(law(12.0), Law { accel: -30.0, until: Some(4.0) });
+        assert_eq!(law(4.0), Law { accel: -15.0, until: Some(-4.0) });
+        assert_eq!(law(-4.0), Law { accel: -30.0, until: Some(-20.0) });
+        assert_eq!(law(-20.0), Law::REST);
+        assert_eq!(law(-30.0).accel, tuning().over_speed_decay);
+    }
+
+    #[test]
+    fn a_fast_fall_starts_at_the_apex() {
+        let down = Control { down: true, ..Control::default() };
+        let t = tuning();
+        assert_eq!(fall(3.0, &down, &t), Law { accel: -30.0, until: Some(0.0) });
+        assert_eq!(fall(0.0, &down, &t), Law { accel: -30.0 * t.fast_fall_gravity, until: Some(-t.fast_fall_speed) });
+    }
+
+    #[test]
+    fn a_run_brakes_turns_and_never_clips() {
+        let t = Motion::default();
+        let right = Control { run: 1.0, ..Control::default() };
+        assert_eq!(run(0.0, &right, false, &t), Law { accel: t.run_accel, until: Some(8.0) });
+        assert_eq!(run(-2.0, &right, false, &t), Law { accel: t.run_brake, until: Some(0.0) });
+        assert_eq!(run(9.0, &right, false, &t), Law { accel: -t.over_speed_decay, until: Some(8.0) });
+        assert_eq!(run(8.0, &right, false, &t), Law::REST);
+        assert_eq!(run(0.0, &Control::default(), false, &t), Law::REST);
+    }
+}

@@ -1,0 +1,247 @@
+//! The order of operations: controls come in at a time, events are taken in order of time up to another.
+
+use super::body::{Air, Body, Control, EventKind, Event, Mode, Next, Size, SpawnError, Surface, Terrain, Trace, Wedge};
+use super::law;
+use glam::DVec2;
+
+/// So many events at one and the same time can only be a cycle. Far above the degree of any vertex of a sound level.
+const CYCLE: u32 = 4096;
+
+impl Body {
+    /// A body at rest in the air, its foot at `at` (m), at time 0.
+    ///
+    /// # Errors
+    /// If the position is no position of the world, or the standing body would overlap a solid there.
+    pub fn spawn(at: DVec2, terrain: &Terrain) -> Result<Body, SpawnError> {
+        let bearing = DVec2::new(0.0, -1.0);
+        let face = super::size::free_face(terrain.stand, at, bearing, bearing)?;
+        let mut body = Body {
+            mode: Mode::Wedge(Wedge { at, face }),
+            size: Size::Stand,
+            control: Control::default(),
+            time: 0.0,
+            pressed_at: None,
+            coyote_from: None,
+            rising: false,
+            next: None,
+        };
+        body.fly(at, DVec2::ZERO, face, [None; 2]);
+        body.refresh(terrain, &mut Trace::default());
+        Ok(body)
+    }
+
+    /// Sets the velocity, as an explosion or a test would: along the tangent on a surface. An event.
+    pub fn set_velocity(&mut self, v: DVec2, terrain: &Terrain, trace: &mut Trace) {
+        self.rebase();
+        match &mut self.mode {
+            Mode::Air(air) => air.v0 = v,
+            Mode::Surface(on) => (on.u0, on.against) = (on.track.tangent.dot(v), 0.0),
+            Mode::Wedge(_) => {}
+        }
+        self.refresh(terrain, trace);
+    }
+
+    /// Takes a control, from now on. An event if it differs from the one before, else nothing.
+    pub fn apply(&mut self, control: Control, terrain: &Terrain, trace: &mut Trace) {
+        let run = if control.run.is_finite() { control.run.clamp(-1.0, 1.0) } else { 0.0 };
+        let control = Control { run, ..control };
+        let before = std::mem::replace(&mut self.control, control);
+        if before == control {
+            return;
+        }
+        if control.jump && !before.jump {
+            self.pressed_at = Some(self.time);
+        }
+        self.rebase();
+        if !control.jump && before.jump {
+            self.cut_jump(terrain);
+        }
+        self.refresh(terrain, trace);
+    }
+
+    /// Takes up changed tuning, from now on. An event.
+    pub fn retune(&mut self, terrain: &Terrain, trace: &mut Trace) {
+        self.rebase();
+        self.refresh(terrain, trace);
+    }
+
+    /// Moves up to a time, event by event. Nothing happens if it is not later than now.
+    pub fn advance(&mut self, to: f64, terrain: &Terrain, trace: &mut Trace) {
+        let mut still = 0;
+        while let Some((at, what)) = self.next.filter(|&(at, _)| at <= to) {
+            still = if at > self.time { 0 } else { still + 1 };
+            self.time = at.max(self.time);
+            if still > CYCLE {
+                self.hold(terrain, trace);
+                break;
+            }
+            self.handle(what, terrain, trace);
+        }
+        self.time = self.time.max(to);
+    }
+
+    fn handle(&mut self, what: Next, terrain: &Terrain, trace: &mut Trace) {
+        match what {
+            Next::Cross(edge) => return self.cross(edge, terrain, trace),
+            Next::Hit(edge) => self.hit(edge, terrain, trace),
+            Next::Limit => self.reach_limit(trace),
+            Next::Vertex if self.pass_vertex(terrain, trace) => return self.schedule(terrain),
+            Next::Vertex | Next::Clear => {}
+        }
+        self.refresh(terrain, trace);
+    }
+
+    /// After an event: sizes and jumps that have waited for it, the new accelerations, the next event.
+    pub(super) fn refresh(&mut self, terrain: &Terrain, trace: &mut Trace) {
+        self.resize_as_wished(terrain, trace);
+        self.jump_if_asked(terrain, trace);
+        self.part_if_pulled(terrain, trace);
+        self.choose_law(terrain);
+        self.schedule(terrain);
+    }
+
+    /// Starts a new piece here and now.
+    pub(super) fn rebase(&mut self) {
+        let t = self.time;
+        match &mut self.mode {
+            Mode::Air(air) => {
+                (air.p0, air.v0) = (air.position(t), air.velocity(t));
+                (air.t0, air.since) = (t, 0.0);
+            }
+            Mode::Surface(on) => {
+                (on.s0, on.u0) = (on.parameter(t), on.speed(t));
+                (on.t0, on.since) = (t, 0.0);
+            }
+            Mode::Wedge(_) => {}
+        }
+    }
+
+    /// Goes into the air here and now.
+    pub(super) fn fly(&mut self, p0: DVec2, v0: DVec2, face: crate::mesh::FaceId, touching: [Option<crate::mesh::SegmentId>; 2]) {
+        let (accel, limits) = (DVec2::ZERO, [None; 2]);
+        self.mode = Mode::Air(Air { t0: self.time, p0, v0, accel, limits, face, since: 0.0, touching });
+    }
+
+    /// A jump, if one was asked for not too long ago and there is ground, or was not too long ago.
+    fn jump_if_asked(&mut self, terrain: &Terrain, trace: &mut Trace) {
+        let t = terrain.tuning;
+        let within = |since: Option<f64>, span: f64| since.is_some_and(|since| self.time - since <= span);
+        if !within(self.pressed_at, t.jump_buffer) {
+            return;
+        }
+        let grounded = match &self.mode {
+            Mode::Air(_) => within(self.coyote_from, t.coyote_time),
+            Mode::Surface(on) => on.walkable,
+            Mode::Wedge(_) => true,
+        };
+        if !grounded {
+            return;
+        }
+        let (p, mut v, face) = (self.position(), self.velocity(), self.face(terrain.mesh(self.size)));
+        v.y = v.y.max(0.0) + t.jump_speed;
+        let touching = [self.segment(), None];
+        self.fly(p, v, face, touching);
+        (self.pressed_at, self.coyote_from) = (None, None);
+        self.log(EventKind::Jumped, trace);
+        // A buffered jump whose key is up again is cut at once: the lowest hop.
+        self.rising = true;
+        if !self.control.jump {
+            self.cut_jump(terrain);
+        }
+    }
+
+    /// The key is let go: what remains of the rise.
+    fn cut_jump(&mut self, terrain: &Terrain) {
+        let cut = terrain.tuning.jump_cut_speed;
+        match &mut self.mode {
+            Mode::Air(air) if self.rising => air.v0.y = air.v0.y.min(cut),
+            Mode::Surface(on) if self.rising && on.track.tangent.y * on.u0 > cut => on.u0 = cut / on.track.tangent.y,
+            _ => {}
+        }
+        self.rising = false;
+    }
+
+    /// Chooses the constant accelerations of the piece that starts now, and when they stop to hold.
+    fn choose_law(&mut self, terrain: &Terrain) {
+        let (t, control, now) = (terrain.tuning, self.control, self.time);
+        let limit = |law: law::Law, speed: f64| law.until.zip(law.time_left(speed)).map(|(until, left)| (now + left, until));
+        match &mut self.mode {
+            Mode::Air(air) => {
+                let (x, y) = (law::steer(air.v0.x, &control, t), law::fall(air.v0.y, &control, t));
+                air.accel = DVec2::new(x.accel, y.accel);
+                air.limits = [limit(x, air.v0.x), limit(y, air.v0.y)];
+            }
+            Mode::Surface(on) if on.walkable => {
+                // The wish counts along x; the parameter of ground steeper than 45 degrees along y.
+                let x = if on.track.tangent.x < 0.0 { -1.0 } else { 1.0 };
+                let law = law::run(on.u0 * x, &control, self.size == Size::Crouch, t);
+                on.accel = law.accel * x;
+                on.limit = limit(law, on.u0 * x).map(|(at, until)| (at, until * x));
+                on.stand_against_wall();
+            }
+            Mode::Surface(on) => {
+                let climb = on.track.tangent.y;
+                let law = law::fall(on.u0 * climb, &control, t);
+                on.accel = law.accel * climb;
+                let slowed = law::Law { accel: law.accel * climb * climb, ..law };
+                let reached = limit(slowed, on.u0 * climb).map(|(at, until)| (at, until / climb));
+                let turned = (on.u0 * on.accel < 0.0).then(|| (now - on.u0 / on.accel, 0.0));
+                on.limit = [reached, turned].into_iter().flatten().filter(|l| l.0.is_finite()).min_by(|a, b| a.0.total_cmp(&b.0));
+                on.stand_against_wall();
+            }
+            Mode::Wedge(_) => {}
+        }
+    }
+
+    fn reach_limit(&mut self, trace: &mut Trace) {
+        let now = self.time;
+        self.rebase();
+        match &mut self.mode {
+            Mode::Air(air) => {
+                for (limit, speed) in air.limits.iter().zip([&mut air.v0.x, &mut air.v0.y]) {
+                    if let Some((_, until)) = limit.filter(|&(at, _)| at <= now) {
+                        *speed = until;
+                    }
+                }
+            }
+            Mode::Surface(on) => on.u0 = on.limit.map_or(on.u0, |(_, until)| until),
+            Mode::Wedge(_) => {}
+        }
+        self.log(EventKind::Limit, trace);
+    }
+
+    /// Finds the next event.
+    pub(super) fn schedule(&mut self, terrain: &Terrain) {
+        let mesh = terrain.mesh(self.size);
+        let found = match &self.mode {
+            Mode::Air(air) => air.next(mesh, terrain.tuning),
+            Mode::Surface(on) => on.next(mesh),
+            Mode::Wedge(_) => None,
+        };
+        self.next = self.sooner_if_clear(found, terrain).map(|(at, what)| (at.max(self.time), what));
+    }
+
+    /// The last resort against a cycle of events: rest where the body is.
+    fn hold(&mut self, terrain: &Terrain, trace: &mut Trace) {
+        let (at, face) = (self.position(), self.face(terrain.mesh(self.size)));
+        self.mode = Mode::Wedge(Wedge { at, face });
+        self.next = None;
+        self.log(EventKind::Stuck, trace);
+    }
+
+    pub(super) fn log(&self, kind: EventKind, trace: &mut Trace) {
+        trace.events.push(Event { time: self.time, kind });
+    }
+}
+
+impl Surface {
+    /// No push against the wall that has stopped the body here.
+    fn stand_against_wall(&mut self) {
+        if self.u0 == 0.0 && self.accel * self.against > 0.0 {
+            (self.accel, self.limit) = (0.0, None);
+        }
+        if self.sign() != 0.0 {
+            self.against = 0.0;
+        }
+    }
+}

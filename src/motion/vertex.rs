@@ -1,0 +1,225 @@
+//! Turning about a vertex through free faces: the next edge of a surface, the sector of a direction, the joints that
+//! rounding leaves. Everything here is decided by topology and exact signs.
+
+use super::track::{cross, delta, dot, walkable};
+use crate::geom::Point;
+use crate::mesh::{EdgeId, FaceId, Mesh, SegmentId, VertexId};
+use glam::DVec2;
+
+/// Rises, drops and gaps of at most this many grid steps between walkable edges count as joints: the one geometric
+/// constant of the motion, about 30 micrometres. It heals the lips that rounding leaves at T-junctions.
+pub const JOINT_STEPS: i32 = 2;
+
+/// Along a surface, with the free side on the left of its mesh edges.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Heading {
+    /// Along the edges: free side on the left.
+    Along,
+    /// Against the edges.
+    Against,
+}
+
+/// The vertex that an edge of a surface leads to.
+pub fn ahead(mesh: &Mesh, e: EdgeId, heading: Heading) -> VertexId {
+    match heading {
+        Heading::Along => mesh.dest(e),
+        Heading::Against => mesh.origin(e),
+    }
+}
+
+/// The vertex that an edge of a surface comes from.
+pub fn behind(mesh: &Mesh, e: EdgeId, heading: Heading) -> VertexId {
+    ahead(mesh, mesh.sym(e), heading)
+}
+
+/// The edge that continues a surface beyond the vertex ahead: the first blocking one when turning from `e` through the
+/// free faces about that vertex. Left of it is free, like left of `e`.
+///
+/// ```text
+///       \  free /
+///        \ f1  / f0            e --> V : Along. From e's left face f0 clockwise about V
+///    next \   /                (here e comes from the right) over free edges to `next`.
+///          \ /
+///  ---------V<------ e
+///    solid
+/// ```
+pub fn surface_next(mesh: &Mesh, e: EdgeId, heading: Heading) -> EdgeId {
+    match heading {
+        Heading::Along => {
+            let mut f = mesh.lnext(e);
+            while !mesh.blocks(f) {
+                f = mesh.lnext(mesh.sym(f));
+            }
+            f
+        }
+        Heading::Against => {
+            let lprev = |e| mesh.lnext(mesh.lnext(e));
+            let mut f = lprev(e);
+            while !mesh.blocks(f) {
+                f = lprev(mesh.sym(f));
+            }
+            f
+        }
+    }
+}
+
+/// The feature edge that a body meets at a blocking mesh edge with the free side on its left: `prefer` if it runs there,
+/// else the best of those that have their solid on the other side. Walkable ones come first, then longer ones, then
+/// earlier features; so neither ids of the mesh nor the order of insertion matter. `None` at the world's border.
+pub fn segment_at(mesh: &Mesh, e: EdgeId, max_slope: f64, prefer: impl Fn(SegmentId) -> bool) -> Option<SegmentId> {
+    let rank = |&s: &SegmentId| {
+        let segment = mesh.segment(s);
+        let d = delta(segment.a, segment.b);
+        (prefer(s), walkable(segment, max_slope), dot(d, d), std::cmp::Reverse((segment.feature, segment.source)))
+    };
+    mesh.uses(e).filter(|u| !u.forward).map(|u| u.segment).max_by_key(rank)
+}
+
+/// The free faces about a vertex between two blocking edges (or all around it).
+struct Fan {
+    /// Each face with its clockwise and its counter-clockwise spoke, counter-clockwise in order.
+    faces: Vec<(FaceId, EdgeId, EdgeId)>,
+    /// The blocking edge out of the vertex at the clockwise end and the one into it at the counter-clockwise end.
+    ends: Option<(EdgeId, EdgeId)>,
+}
+
+/// The fan that holds the left face of `spoke`, an edge out of the vertex.
+fn fan(mesh: &Mesh, spoke: EdgeId) -> Fan {
+    let mut first = spoke;
+    while !mesh.blocks(first) {
+        first = mesh.oprev(first);
+        if first == spoke {
+            break;
+        }
+    }
+    let mut faces = Vec::new();
+    let mut out = first;
+    loop {
+        let Some(face) = mesh.left(out) else { break };
+        let next = mesh.onext(out);
+        faces.push((face, out, next));
+        if mesh.blocks(mesh.sym(next)) {
+            return Fan { faces, ends: Some((first, mesh.sym(next))) };
+        }
+        out = next;
+        if out == first {
+            break;
+        }
+    }
+    Fan { faces, ends: None }
+}
+
+/// Where a direction leads from a vertex.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Sector {
+    /// Into a free face.
+    Free(FaceId),
+    /// Into the solid between two blocking edges that have free on their left: one out of the vertex, one into it.
+    Solid(EdgeId, EdgeId),
+}
+
+/// A direction with its tie-breaker: `d`, or the side to which `then` bends it where it runs exactly along a spoke.
+#[derive(Clone, Copy, Debug)]
+pub struct Bearing {
+    /// Direction of motion.
+    pub d: DVec2,
+    /// Acceleration.
+    pub then: DVec2,
+}
+
+impl Bearing {
+    /// Of a motion that starts with a velocity, or from rest.
+    pub fn of(velocity: DVec2, acceleration: DVec2) -> Bearing {
+        let d = if velocity == DVec2::ZERO { acceleration } else { velocity };
+        Bearing { d, then: acceleration }
+    }
+
+    /// Positive if the bearing is counter-clockwise of the spoke, negative if clockwise; exact.
+    fn turn(&self, spoke: (i64, i64)) -> f64 {
+        let sign = |v: DVec2| {
+            let origin = robust::Coord { x: 0.0, y: 0.0 };
+            let spoke = robust::Coord { x: spoke.0 as f64, y: spoke.1 as f64 };
+            robust::orient2d(origin, spoke, robust::Coord { x: v.x, y: v.y })
+        };
+        let first = sign(self.d);
+        if first != 0.0 { first } else { sign(self.then) }
+    }
+
+    /// Whether the bearing lies in the wedge from one spoke counter-clockwise to another, less than half a turn on.
+    fn within(&self, from: (i64, i64), to: (i64, i64)) -> bool {
+        self.turn(from) >= 0.0 && self.turn(to) <= 0.0
+    }
+}
+
+/// Where a bearing leads from the origin of `spoke`, among the free faces connected with that edge's left face.
+pub fn sector(mesh: &Mesh, spoke: EdgeId, bearing: Bearing) -> Sector {
+    let fan = fan(mesh, spoke);
+    let vector = |e: EdgeId| delta(mesh.point(mesh.origin(e)), mesh.point(mesh.dest(e)));
+    let hit = fan.faces.iter().find(|(_, from, to)| bearing.within(vector(*from), vector(*to)));
+    match (hit, fan.ends) {
+        (Some(&(face, ..)), _) => Sector::Free(face),
+        (None, Some((out, into))) => Sector::Solid(out, into),
+        (None, None) => Sector::Free(fan.faces[0].0),
+    }
+}
+
+/// Looks past the lips and slits that rounding leaves at a vertex: a walkable edge within [`JOINT_STEPS`] of it that
+/// goes on in the given direction, and its feature edge.
+///
+/// First along the surface beyond `next`, as long as it stays in the box about the vertex; then across slits to
+/// vertices joined with this one by a free edge.
+pub fn bridge(mesh: &Mesh, next: EdgeId, heading: Heading, max_slope: f64) -> Option<(EdgeId, SegmentId)> {
+    let home = behind(mesh, next, heading);
+    along_surface(mesh, next, heading, max_slope, mesh.point(home)).or_else(|| across_slit(mesh, home, heading, max_slope))
+}
+
+fn near(p: Point, home: Point) -> bool {
+    p.x.abs_diff(home.x) <= JOINT_STEPS as u32 && p.y.abs_diff(home.y) <= JOINT_STEPS as u32
+}
+
+fn along_surface(mesh: &Mesh, next: EdgeId, heading: Heading, max_slope: f64, home: Point) -> Option<(EdgeId, SegmentId)> {
+    let mut e = next;
+    // The box holds 25 grid points, and the surface passes each at most once on either side of a collapsed corridor.
+    for _ in 0..50 {
+        if let Some(s) = walkable_at(mesh, e, max_slope) {
+            return Some((e, s));
+        }
+        if !near(mesh.point(ahead(mesh, e, heading)), home) {
+            return None;
+        }
+        e = surface_next(mesh, e, heading);
+    }
+    None
+}
+
+fn across_slit(mesh: &Mesh, home: VertexId, heading: Heading, max_slope: f64) -> Option<(EdgeId, SegmentId)> {
+    let from = mesh.point(home);
+    let onward = |p: Point| near(p, from) && if heading == Heading::Along { p.x > from.x } else { p.x < from.x };
+    let rims = spokes(mesh, home).map(|e| mesh.dest(e)).filter(|&w| onward(mesh.point(w)));
+    let edges = rims.flat_map(|w| spokes(mesh, w)).map(|out| if heading == Heading::Along { out } else { mesh.sym(out) });
+    let walkable = edges.filter(|&e| mesh.blocks(e)).filter_map(|e| walkable_at(mesh, e, max_slope).map(|s| (e, s)));
+    walkable.min_by_key(|&(e, s)| {
+        let w = mesh.point(behind(mesh, e, heading));
+        (w.y.abs_diff(from.y), w.x.abs_diff(from.x), mesh.segment(s).feature, mesh.segment(s).source)
+    })
+}
+
+fn walkable_at(mesh: &Mesh, e: EdgeId, max_slope: f64) -> Option<SegmentId> {
+    segment_at(mesh, e, max_slope, |_| false).filter(|&s| walkable(mesh.segment(s), max_slope))
+}
+
+/// The edges out of a vertex, counter-clockwise.
+pub fn spokes(mesh: &Mesh, v: VertexId) -> impl Iterator<Item = EdgeId> + '_ {
+    let first = mesh.vertex_edge(v);
+    std::iter::successors(Some(first), move |&e| Some(mesh.onext(e)).filter(|&n| n != first))
+}
+
+/// Whether the surface turns towards the body at a vertex (a concave corner), given the exact directions of motion before
+/// and after it.
+pub fn turns_towards(before: (i64, i64), after: (i64, i64), heading: Heading) -> bool {
+    let turn = cross(before, after);
+    match heading {
+        Heading::Along => turn > 0,
+        Heading::Against => turn < 0,
+    }
+}
