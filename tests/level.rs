@@ -388,5 +388,5 @@ fn every_shipped_level_loads() {
             }
         }
     }
-    assert!(count >= 5, "only {count} levels");
+    assert!(count >= 6, "only {count} levels");
 }
