@@ -1,0 +1,142 @@
+# shellcheck shell=bash
+# Shared by the scripts beside it: finding out what this machine lacks, and installing just that.
+# Source it after `set -euo pipefail`; it changes to the project's directory.
+
+# shellcheck disable=SC2034 # for those who source this file
+invoked_from="$PWD"
+cd "$(dirname "${BASH_SOURCE[0]}")/.." || exit 1
+
+say() { printf '== %s\n' "$*" >&2; }
+
+die() {
+    printf 'error: %s\n' "$*" >&2
+    exit 1
+}
+
+# The package manager of this system, or nothing.
+package_manager() {
+    local manager
+    for manager in apt-get dnf pacman zypper brew; do
+        if command -v "$manager" >/dev/null; then
+            echo "$manager"
+            return
+        fi
+    done
+}
+
+# package_names MANAGER THING: what the packages of a thing are called there.
+package_names() {
+    case "$1:$2" in
+        apt-get:compiler) echo g++ ;;
+        apt-get:sdl2) echo libsdl2-dev ;;
+        apt-get:display) echo xvfb xauth ;;
+        dnf:compiler) echo gcc-c++ ;;
+        dnf:sdl2) echo SDL2-devel ;;
+        dnf:display) echo xorg-x11-server-Xvfb xorg-x11-xauth ;;
+        pacman:compiler) echo gcc ;;
+        pacman:sdl2) echo sdl2-compat ;;
+        pacman:display) echo xorg-server-xvfb xorg-xauth ;;
+        zypper:compiler) echo gcc-c++ ;;
+        zypper:sdl2) echo SDL2-devel ;;
+        zypper:display) echo xorg-x11-server-Xvfb xauth ;;
+        brew:sdl2) echo sdl2 ;;
+        brew:compiler) die "no C++ compiler: run 'xcode-select --install', then this script again" ;;
+    esac
+}
+
+# Whether a thing is there. Libraries are looked for as the linker will look for them.
+have() {
+    case "$1" in
+        compiler) command -v cc >/dev/null && command -v c++ >/dev/null ;;
+        sdl2) links_with_sdl2 ;;
+        display) [[ "$(uname)" == Darwin ]] || { command -v xvfb-run >/dev/null && command -v xauth >/dev/null; } ;;
+    esac
+}
+
+links_with_sdl2() {
+    local program verdict=0
+    program="$(mktemp)"
+    echo 'int main(void) { return 0; }' | cc -x c - -lSDL2 -o "$program" 2>/dev/null || verdict=1
+    rm -f "$program"
+    return $verdict
+}
+
+# As root: directly, or through sudo.
+as_root() {
+    if [[ "$(id -u)" == 0 ]]; then
+        "$@"
+    elif command -v sudo >/dev/null; then
+        say "sudo is needed for: $*"
+        sudo "$@"
+    else
+        die "this needs root, and there is no sudo; run as root: $*"
+    fi
+}
+
+install_packages() {
+    local manager="$1"
+    shift
+    say "installing with $manager: $*"
+    case "$manager" in
+        apt-get)
+            as_root apt-get update
+            as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends "$@"
+            ;;
+        dnf) as_root dnf install -y "$@" ;;
+        pacman) as_root pacman -S --needed --noconfirm "$@" ;;
+        zypper) as_root zypper --non-interactive install "$@" ;;
+        brew) brew install "$@" ;;
+    esac
+}
+
+# need THING...: installs what is missing of these things, and nothing if nothing is.
+need() {
+    local manager thing missing=() packages=()
+    manager="$(package_manager)"
+    if [[ "$manager" == brew ]]; then
+        # Homebrew's libraries are not where the linker looks by itself.
+        LIBRARY_PATH="$(brew --prefix)/lib${LIBRARY_PATH:+:$LIBRARY_PATH}"
+        export LIBRARY_PATH
+    fi
+    for thing in "$@"; do
+        have "$thing" || missing+=("$thing")
+    done
+    [[ ${#missing[@]} -gt 0 ]] || return 0
+    if [[ -z "$manager" ]]; then
+        die "missing: ${missing[*]}. This script knows apt-get, dnf, pacman, zypper and brew, and finds none of them." \
+            "Please install a C and C++ compiler, the development files of SDL2, and for the tests Xvfb with xauth."
+    fi
+    for thing in "${missing[@]}"; do
+        local names
+        names="$(package_names "$manager" "$thing")"
+        read -r -a names <<<"$names"
+        packages+=("${names[@]}")
+    done
+    install_packages "$manager" "${packages[@]}"
+    for thing in "${missing[@]}"; do
+        have "$thing" || die "$thing is still not found after installing: ${packages[*]}"
+    done
+}
+
+# Rust itself comes from rustup: the packaged compilers of most systems are too old.
+need_rust() {
+    local hint="get it from https://rustup.rs (curl --proto '=https' --tlsv1.2 -sSf https://sh.rustup.rs | sh)"
+    if ! command -v cargo >/dev/null && [[ -f "$HOME/.cargo/env" ]]; then
+        # shellcheck source=/dev/null
+        source "$HOME/.cargo/env"
+    fi
+    command -v cargo >/dev/null || die "cargo, Rust's build tool, is missing: $hint"
+    local wanted found
+    wanted="$(sed -n 's/^rust-version *= *"\(.*\)"/\1/p' Cargo.toml)"
+    found="$(cargo --version | cut -d ' ' -f 2)"
+    if [[ "$(printf '%s\n' "$wanted" "$found" | sort -V | head -n 1)" != "$wanted" ]]; then
+        die "cargo $found is too old, $wanted or newer is needed: run 'rustup update', or $hint"
+    fi
+}
+
+# need_component NAME COMMAND: a part of Rust that minimal installations leave out.
+need_component() {
+    cargo "$2" --version >/dev/null 2>&1 && return
+    command -v rustup >/dev/null || die "cargo $2 is missing: install the $1 package that belongs to your Rust"
+    rustup component add "$1"
+}
