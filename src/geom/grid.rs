@@ -31,7 +31,10 @@ impl Point {
     pub fn snap(p: DVec2) -> Option<Self> {
         let (x, y) = (p.x / STEP, p.y / STEP);
         let floor = y.floor();
-        let (x, y) = (x.round(), if y - floor >= 0.5 { floor + 1.0 } else { floor });
+        let (x, y) = (
+            x.round(),
+            if y - floor >= 0.5 { floor + 1.0 } else { floor },
+        );
         let inside = |c: f64| c.abs() < f64::from(BOUND);
         (inside(x) && inside(y)).then_some(Point::new(x as i32, y as i32))
     }

@@ -1,34 +1,68 @@
 //! The constrained Delaunay mesh of a set of features, each expanded by one collider.
 //!
-//! CONTRACT (skeleton): the signatures below are what motion, game and shell call.
+//! ```text
+//! snap           segments -> hot pixels and chains     the set of segments decides, exactly
+//! triangulation  chains -> triangles                   legal, with ties broken by rule
+//! uses, cover    which features run along an edge, which lie around a face
+//! walk           where is a position
+//! check, hash    every invariant as a function; equal meshes have equal hashes
+//! ```
+//!
+//! The mesh is a pure function of the set of features and their ids: building it at once, or by any sequence
+//! of [`Mesh::insert`] and [`Mesh::remove`], gives the same hash.
 
-use crate::geom::Point;
+mod buckets;
+mod check;
+mod cover;
+mod edit;
+mod hash;
+mod snap;
+mod topology;
+mod triangulation;
+mod uses;
+mod walk;
+
+use crate::geom::{Point, predicates};
 use glam::DVec2;
+use std::collections::BTreeMap;
+use std::fmt;
+
+pub use crate::geom::{ExpandedEdge, Source};
 
 /// Index of a feature in the list the mesh was built from.
 pub type FeatureId = u32;
 
 /// A directed primal edge of the quad-edge structure.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize, serde::Deserialize)]
+#[derive(
+    Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize, serde::Deserialize,
+)]
 pub struct EdgeId(pub u32);
 /// A triangle.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize, serde::Deserialize)]
+#[derive(
+    Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize, serde::Deserialize,
+)]
 pub struct FaceId(pub u32);
 /// A mesh vertex.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize, serde::Deserialize)]
+#[derive(
+    Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize, serde::Deserialize,
+)]
 pub struct VertexId(pub u32);
 /// A feature edge: one edge of one expanded outline, as it was before anything cut it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize, serde::Deserialize)]
+#[derive(
+    Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize, serde::Deserialize,
+)]
 pub struct SegmentId(pub u32);
 
-/// What part of a feature's outline and of the collider an expanded edge comes from.
-/// Equal in the meshes of all sizes of a body, wherever they share that part.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Source {
-    /// Outline edge `edge` moved by a collider vertex.
-    Edge { /** Index of the outline edge. */ edge: u32 },
-    /// Collider edge `side` moved along to outline vertex `vertex`.
-    Corner { /** Index of the outline vertex. */ vertex: u32, /** Index of the collider edge. */ side: u32 },
+impl VertexId {
+    fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+impl SegmentId {
+    fn index(self) -> usize {
+        self.0 as usize
+    }
 }
 
 /// A feature edge. The solid is on its left.
@@ -64,51 +98,248 @@ pub enum Place {
     Vertex(VertexId),
 }
 
+/// Why a feature cannot go into a mesh.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MeshError {
+    /// An edge leaves the world: both coordinates must stay below [`BOUND`](crate::geom::BOUND)` - 1` steps.
+    OutOfBounds {
+        /// The feature.
+        feature: FeatureId,
+        /// Index of the edge in it.
+        edge: usize,
+    },
+    /// An edge starts and ends at the same grid point.
+    ZeroLength {
+        /// The feature.
+        feature: FeatureId,
+        /// Index of the edge in it.
+        edge: usize,
+    },
+    /// There is a feature with this id.
+    Occupied {
+        /// The id.
+        feature: FeatureId,
+    },
+    /// There is no feature with this id.
+    Unknown {
+        /// The id.
+        feature: FeatureId,
+    },
+}
+
+impl fmt::Display for MeshError {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            MeshError::OutOfBounds { feature, edge } => write!(
+                f,
+                "feature {feature}: expanded edge {edge} leaves the world of +-4096 m"
+            ),
+            MeshError::ZeroLength { feature, edge } => {
+                write!(f, "feature {feature}: expanded edge {edge} has no length")
+            }
+            MeshError::Occupied { feature } => {
+                write!(f, "feature {feature} is in the mesh already")
+            }
+            MeshError::Unknown { feature } => write!(f, "feature {feature} is not in the mesh"),
+        }
+    }
+}
+
+impl std::error::Error for MeshError {}
+
 /// The mesh.
 #[derive(Clone, Debug)]
-pub struct Mesh {}
+pub struct Mesh {
+    arrangement: snap::Arrangement,
+    triangulation: triangulation::Triangulation,
+    uses: uses::Uses,
+    covers: cover::Covers,
+    /// Feature edges by id; unused ids keep their last one.
+    segments: Vec<Segment>,
+    features: BTreeMap<FeatureId, Feature>,
+}
 
+/// The edges of one feature.
+#[derive(Clone, Debug)]
+struct Feature {
+    /// In the order in which they were given.
+    segments: Vec<SegmentId>,
+    /// The same by source.
+    by_source: Vec<(Source, SegmentId)>,
+    /// Whether they form one closed chain. What is not closed is a wire: it covers nothing.
+    closed: bool,
+}
+
+// Topology and geometry.
 impl Mesh {
     /// The point of a vertex.
-    pub fn point(&self, _v: VertexId) -> Point { todo!() }
+    #[inline]
+    pub fn point(&self, v: VertexId) -> Point {
+        self.triangulation.point(v.0)
+    }
+
     /// Where an edge starts.
-    pub fn origin(&self, _e: EdgeId) -> VertexId { todo!() }
+    #[inline]
+    pub fn origin(&self, e: EdgeId) -> VertexId {
+        VertexId(self.topology().origin(e.0))
+    }
+
     /// Where an edge ends.
-    pub fn dest(&self, _e: EdgeId) -> VertexId { todo!() }
+    #[inline]
+    pub fn dest(&self, e: EdgeId) -> VertexId {
+        VertexId(self.topology().dest(e.0))
+    }
+
     /// The same edge, other way.
-    pub fn sym(&self, _e: EdgeId) -> EdgeId { todo!() }
+    #[inline]
+    pub fn sym(&self, e: EdgeId) -> EdgeId {
+        EdgeId(topology::sym(e.0))
+    }
+
     /// Next edge counter-clockwise about the same origin.
-    pub fn onext(&self, _e: EdgeId) -> EdgeId { todo!() }
+    #[inline]
+    pub fn onext(&self, e: EdgeId) -> EdgeId {
+        EdgeId(self.topology().onext(e.0))
+    }
+
     /// Next edge clockwise about the same origin.
-    pub fn oprev(&self, _e: EdgeId) -> EdgeId { todo!() }
+    #[inline]
+    pub fn oprev(&self, e: EdgeId) -> EdgeId {
+        EdgeId(self.topology().oprev(e.0))
+    }
+
     /// Next edge counter-clockwise about the left face.
-    pub fn lnext(&self, _e: EdgeId) -> EdgeId { todo!() }
+    #[inline]
+    pub fn lnext(&self, e: EdgeId) -> EdgeId {
+        EdgeId(self.topology().lnext(e.0))
+    }
+
     /// The face on the left; `None` outside the world's box.
-    pub fn left(&self, _e: EdgeId) -> Option<FaceId> { todo!() }
+    #[inline]
+    pub fn left(&self, e: EdgeId) -> Option<FaceId> {
+        let face = self.topology().left(e.0);
+        (face != topology::OUTSIDE).then_some(FaceId(face))
+    }
+
     /// One edge that has this face on its left.
-    pub fn face_edge(&self, _f: FaceId) -> EdgeId { todo!() }
+    #[inline]
+    pub fn face_edge(&self, f: FaceId) -> EdgeId {
+        EdgeId(self.topology().face_edge(f.0))
+    }
+
     /// One edge that starts at this vertex.
-    pub fn vertex_edge(&self, _v: VertexId) -> EdgeId { todo!() }
-    /// Whether some solid covers the face.
-    pub fn is_solid(&self, _f: FaceId) -> bool { todo!() }
-    /// Whether a body left of the edge is stopped by it: the left face is free, the right one solid or outside the world.
-    pub fn blocks(&self, _e: EdgeId) -> bool { todo!() }
-    /// The features that cover the face, ascending.
-    pub fn cover(&self, _f: FaceId) -> &[FeatureId] { todo!() }
-    /// The feature edges that run along a mesh edge.
-    pub fn uses(&self, _e: EdgeId) -> impl Iterator<Item = Use> + '_ { std::iter::empty() }
-    /// A feature edge by its id.
-    pub fn segment(&self, _s: SegmentId) -> &Segment { todo!() }
-    /// The mesh vertices that a feature edge runs through, from a to b.
-    pub fn chain(&self, _s: SegmentId) -> &[VertexId] { todo!() }
-    /// The feature edge of a feature with a given source.
-    pub fn segment_of(&self, _feature: FeatureId, _source: Source) -> Option<SegmentId> { todo!() }
+    #[inline]
+    pub fn vertex_edge(&self, v: VertexId) -> EdgeId {
+        EdgeId(self.topology().vertex_edge(v.0))
+    }
+
     /// The edge from one vertex to another, if there is one.
-    pub fn edge_between(&self, _v: VertexId, _w: VertexId) -> Option<EdgeId> { todo!() }
-    /// Finds a position by walking, by exact tests, from a known face. `None` outside the world's box.
-    pub fn locate(&self, _p: DVec2, _near: Option<FaceId>) -> Option<Place> { todo!() }
+    pub fn edge_between(&self, v: VertexId, w: VertexId) -> Option<EdgeId> {
+        self.topology().edge_between(v.0, w.0).map(EdgeId)
+    }
+
     /// All faces, ascending by id.
-    pub fn faces(&self) -> impl Iterator<Item = FaceId> + '_ { std::iter::empty() }
+    pub fn faces(&self) -> impl Iterator<Item = FaceId> + '_ {
+        self.topology().faces().map(FaceId)
+    }
+
+    /// All edges, one direction of each, ascending by id.
+    pub fn edges(&self) -> impl Iterator<Item = EdgeId> + '_ {
+        self.topology().edges().map(EdgeId)
+    }
+
+    /// All vertices, ascending by id; the first four are the corners of the world's box.
+    pub fn vertices(&self) -> impl Iterator<Item = VertexId> + '_ {
+        let t = self.topology();
+        (0..t.vertex_count() as u32)
+            .filter(|&v| t.has_vertex(v))
+            .map(VertexId)
+    }
+
     /// The corners of a face, counter-clockwise.
-    pub fn corners(&self, _f: FaceId) -> [Point; 3] { todo!() }
+    #[inline]
+    pub fn corners(&self, f: FaceId) -> [Point; 3] {
+        self.topology()
+            .sides(f.0)
+            .map(|e| self.triangulation.point(self.topology().origin(e)))
+    }
+
+    /// Finds a position by walking, by exact tests, from a known face. `None` on or outside the world's box, and
+    /// for what is not a number.
+    pub fn locate(&self, p: DVec2, near: Option<FaceId>) -> Option<Place> {
+        let p = predicates::steps(p);
+        let inside = |c: f64| c.abs() < f64::from(triangulation::EDGE_OF_WORLD);
+        if !(inside(p.x) && inside(p.y)) {
+            return None;
+        }
+        let t = self.topology();
+        let start = near
+            .filter(|f| t.is_face(f.0))
+            .map_or(0, |f| t.origin(t.face_edge(f.0)));
+        Some(
+            match walk::walk(t, self.triangulation.points(), start, &p) {
+                walk::Found::Face(e) => Place::Face(FaceId(t.left(e))),
+                walk::Found::Edge(e) => Place::Edge(EdgeId(e)),
+                walk::Found::Vertex(v) => Place::Vertex(VertexId(v)),
+            },
+        )
+    }
+
+    fn topology(&self) -> &topology::Topology {
+        &self.triangulation.topology
+    }
+}
+
+// Provenance.
+impl Mesh {
+    /// Whether some solid covers the face.
+    #[inline]
+    pub fn is_solid(&self, f: FaceId) -> bool {
+        self.covers.is_solid(f.0)
+    }
+
+    /// Whether a body left of the edge is stopped by it: the left face is free, the right one solid or outside the world.
+    #[inline]
+    pub fn blocks(&self, e: EdgeId) -> bool {
+        let t = self.topology();
+        !self.covers.is_solid(t.left(e.0)) && self.covers.is_solid(t.left(topology::sym(e.0)))
+    }
+
+    /// The features that cover the face, ascending.
+    pub fn cover(&self, f: FaceId) -> &[FeatureId] {
+        self.covers.features(f.0)
+    }
+
+    /// The feature edges that run along a mesh edge, by feature and source.
+    pub fn uses(&self, e: EdgeId) -> impl Iterator<Item = Use> + '_ {
+        self.uses.of(e.0)
+    }
+
+    /// A feature edge by its id.
+    #[inline]
+    pub fn segment(&self, s: SegmentId) -> &Segment {
+        &self.segments[s.index()]
+    }
+
+    /// The mesh vertices that a feature edge runs through, from a to b.
+    pub fn chain(&self, s: SegmentId) -> &[VertexId] {
+        self.arrangement.chain(s)
+    }
+
+    /// The feature edge of a feature with a given source.
+    pub fn segment_of(&self, feature: FeatureId, source: Source) -> Option<SegmentId> {
+        let by_source = &self.features.get(&feature)?.by_source;
+        let i = by_source.binary_search_by_key(&source, |s| s.0).ok()?;
+        Some(by_source[i].1)
+    }
+
+    /// All feature edges of a feature, in the order in which they were given.
+    pub fn segments_of(&self, feature: FeatureId) -> &[SegmentId] {
+        self.features.get(&feature).map_or(&[], |f| &f.segments)
+    }
+
+    /// The ids of all features, ascending.
+    pub fn features(&self) -> impl Iterator<Item = FeatureId> + '_ {
+        self.features.keys().copied()
+    }
 }

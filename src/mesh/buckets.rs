@@ -1,0 +1,145 @@
+//! A bucket grid: which items may be near a place. Only ever asked cell by cell, never iterated.
+//!
+//! Cells are squares of a power of two of steps. A segment is registered in every cell that it comes
+//! within one step of, a point in its own cell; so the segments that meet the pixel of a point are among those
+//! of the point's cell, and the pixels that a segment meets are among the points of the segment's cells.
+
+use super::topology::NONE;
+use crate::geom::Point;
+use std::collections::HashMap;
+use std::hash::{BuildHasherDefault, Hasher};
+
+/// Items (any ids) by cell, as linked lists in one slab.
+#[derive(Clone, Debug)]
+pub struct Buckets {
+    /// Cells have 2^shift steps.
+    shift: u32,
+    heads: HashMap<u64, u32, BuildHasherDefault<CellHasher>>,
+    links: Vec<Link>,
+    free: u32,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Link {
+    item: u32,
+    next: u32,
+}
+
+/// Multiplies by an odd number and folds the high half back (as in Knuth's multiplicative hashing).
+#[derive(Clone, Default)]
+pub struct CellHasher(u64);
+
+impl Hasher for CellHasher {
+    fn finish(&self) -> u64 {
+        self.0
+    }
+    fn write(&mut self, bytes: &[u8]) {
+        for &byte in bytes {
+            self.write_u64(u64::from(byte));
+        }
+    }
+    fn write_u32(&mut self, n: u32) {
+        self.write_u64(u64::from(n));
+    }
+    fn write_i32(&mut self, n: i32) {
+        self.write_u64(u64::from(n as u32));
+    }
+    fn write_u64(&mut self, n: u64) {
+        let wide = u128::from(self.0.rotate_left(32) ^ n) * 0x9e37_79b9_7f4a_7c15;
+        self.0 = wide as u64 ^ (wide >> 64) as u64;
+    }
+}
+
+impl Buckets {
+    /// Empty buckets with cells of 2^shift steps.
+    pub fn new(shift: u32) -> Self {
+        Buckets {
+            shift,
+            heads: HashMap::default(),
+            links: Vec::new(),
+            free: NONE,
+        }
+    }
+
+    fn key(column: i64, row: i64) -> u64 {
+        (column as u64) << 32 | u64::from(row as u32)
+    }
+
+    /// The cell of a point.
+    pub fn cell_of(&self, p: Point) -> u64 {
+        Self::key(i64::from(p.x) >> self.shift, i64::from(p.y) >> self.shift)
+    }
+
+    /// Writes the cells within one step of a segment to `cells`, each once, in a fixed order.
+    pub fn cells_along(&self, a: Point, b: Point, cells: &mut Vec<u64>) {
+        cells.clear();
+        let (low, high) = if a.y <= b.y { (a, b) } else { (b, a) };
+        let (lx, ly, hx, hy) = (
+            i64::from(low.x),
+            i64::from(low.y),
+            i64::from(high.x),
+            i64::from(high.y),
+        );
+        let (first, last) = ((ly - 1) >> self.shift, (hy + 1) >> self.shift);
+        for row in first..=last {
+            // The part of the segment within one step of this row, in x, rounded outwards.
+            let from = ly.max((row << self.shift) - 1);
+            let to = hy.min(((row + 1) << self.shift) + 1);
+            let (x, y) = if first == last || ly == hy {
+                (lx, hx)
+            } else {
+                let at = |y: i64| lx + ((hx - lx) * (y - ly)).div_euclid(hy - ly);
+                (at(from.clamp(ly, hy)), at(to.clamp(ly, hy)))
+            };
+            for column in (x.min(y) - 1) >> self.shift..=(x.max(y) + 2) >> self.shift {
+                cells.push(Self::key(column, row));
+            }
+        }
+    }
+
+    /// The items of a cell.
+    pub fn items(&self, cell: u64) -> impl Iterator<Item = u32> + '_ {
+        let mut at = self.heads.get(&cell).copied().unwrap_or(NONE);
+        std::iter::from_fn(move || {
+            let link = self.links.get(at as usize)?;
+            at = link.next;
+            Some(link.item)
+        })
+    }
+
+    /// Adds an item to a cell.
+    pub fn add(&mut self, cell: u64, item: u32) {
+        let head = self.heads.entry(cell).or_insert(NONE);
+        let link = Link { item, next: *head };
+        if self.free == NONE {
+            *head = self.links.len() as u32;
+            self.links.push(link);
+        } else {
+            *head = self.free;
+            self.free = std::mem::replace(&mut self.links[*head as usize], link).next;
+        }
+    }
+
+    /// Removes an item from a cell, if it is there.
+    pub fn remove(&mut self, cell: u64, item: u32) {
+        let Some(head) = self.heads.get_mut(&cell) else {
+            return;
+        };
+        let (mut before, mut at) = (NONE, *head);
+        while at != NONE && self.links[at as usize].item != item {
+            (before, at) = (at, self.links[at as usize].next);
+        }
+        if at == NONE {
+            return;
+        }
+        let next = std::mem::replace(&mut self.links[at as usize].next, self.free);
+        self.free = at;
+        if before != NONE {
+            self.links[before as usize].next = next;
+        } else if next != NONE {
+            *head = next;
+        } else {
+            self.heads.remove(&cell);
+        }
+    }
+}

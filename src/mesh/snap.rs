@@ -1,0 +1,331 @@
+//! The arrangement of all feature edges, snapped to the grid: which grid points are vertices, and through which
+//! of them each segment runs.
+//!
+//! *Snap rounding* (Hobby 1999; the dynamic version Guibas and Marimont 1998): a pixel is *hot* while it holds
+//! an end or a proper crossing of original segments; a segment becomes the chain of the hot pixels
+//! that it meets. Chains stay within half a step per axis of their segments, are monotone along them and never
+//! cross one another, and all of it is a function of the *set* of segments: every decision tests
+//! originals, never pieces. An edit is a batch: it reports the pixels that heat up or cool down, and each
+//! segment whose chain changes because of that.
+
+use super::buckets::{Buckets, CellHasher};
+use super::{SegmentId, VertexId};
+use crate::geom::Point;
+use crate::geom::predicates::{crosses, crossing_pixel, meets_pixel};
+use std::collections::HashMap;
+use std::hash::BuildHasherDefault;
+
+/// Ends and chain of one original segment.
+#[derive(Clone, Debug)]
+struct Original {
+    a: Point,
+    b: Point,
+    /// The hot pixels it meets, from a to b; empty while the slot is unused.
+    chain: Vec<VertexId>,
+}
+
+/// What an edit does to the mesh.
+#[derive(Clone, Debug, Default)]
+pub struct Diff {
+    /// Hot pixels that were not, in the order in which they were found.
+    pub born: Vec<VertexId>,
+    /// Hot pixels that are no more, ascending by id.
+    pub dead: Vec<VertexId>,
+    /// Segments whose chain changes: the differing stretch before and after, with one vertex in common at each end
+    /// (empty where there is no chain). Added segments come last.
+    pub rerouted: Vec<Reroute>,
+}
+
+/// A stretch of a chain before and after an edit.
+#[derive(Clone, Debug)]
+pub struct Reroute {
+    /// The segment.
+    pub slot: SegmentId,
+    /// Old vertices, from a to b.
+    pub old: Vec<VertexId>,
+    /// New vertices, from a to b.
+    pub new: Vec<VertexId>,
+}
+
+/// All segments, all hot pixels, and where they are.
+#[derive(Clone, Debug)]
+pub struct Arrangement {
+    originals: Vec<Original>,
+    free_slots: Vec<SegmentId>,
+    /// Point of each hot pixel by vertex id.
+    points: Vec<Point>,
+    free_vertices: Vec<VertexId>,
+    vertex_at: HashMap<Point, VertexId, BuildHasherDefault<CellHasher>>,
+    segments: Buckets,
+    pixels: Buckets,
+    /// Scratch: cells of the segment being looked at.
+    cells: Vec<u64>,
+}
+
+impl Arrangement {
+    /// An arrangement of no segments, with some vertex ids reserved for points that are never hot.
+    ///
+    /// `shift` is the binary logarithm of the cell size in steps: about the usual length of a segment is best.
+    pub fn new(shift: u32, reserved: &[Point]) -> Self {
+        Arrangement {
+            originals: Vec::new(),
+            free_slots: Vec::new(),
+            points: reserved.to_vec(),
+            free_vertices: Vec::new(),
+            vertex_at: HashMap::default(),
+            segments: Buckets::new(shift),
+            pixels: Buckets::new(shift),
+            cells: Vec::new(),
+        }
+    }
+
+    /// Points by vertex id; those of unused ids mean nothing.
+    pub fn points(&self) -> &[Point] {
+        &self.points
+    }
+
+    /// The chain of a segment.
+    pub fn chain(&self, slot: SegmentId) -> &[VertexId] {
+        &self.originals[slot.index()].chain
+    }
+
+    /// Ends of a segment.
+    pub fn ends(&self, slot: SegmentId) -> (Point, Point) {
+        let s = &self.originals[slot.index()];
+        (s.a, s.b)
+    }
+
+    /// Adds segments (each of some length) and removes others. Returns the slots of the added ones and the changes.
+    ///
+    /// A removed slot and a dead vertex id may be given away by the next edit.
+    pub fn edit(&mut self, add: &[(Point, Point)], remove: &[SegmentId]) -> (Vec<SegmentId>, Diff) {
+        let mut diff = Diff::default();
+        for &slot in remove {
+            let old = self.unregister(slot);
+            diff.rerouted.push(Reroute {
+                slot,
+                old,
+                new: Vec::new(),
+            });
+        }
+        let survivors = self.originals.len() > self.free_slots.len() + remove.len();
+        let added: Vec<SegmentId> = add
+            .iter()
+            .map(|&(a, b)| self.register(a, b, &mut diff.born))
+            .collect();
+        diff.dead = self.cooled(&diff.rerouted);
+        if survivors {
+            self.reroute_survivors(&mut diff);
+        }
+        self.bury(&diff.dead);
+        for &slot in &added {
+            let new = self.find_chain(slot);
+            self.originals[slot.index()].chain.clone_from(&new);
+            diff.rerouted.push(Reroute {
+                slot,
+                old: Vec::new(),
+                new,
+            });
+        }
+        self.free_slots.extend(remove.iter().rev());
+        (added, diff)
+    }
+
+    /// Takes a segment out of the buckets; returns its chain.
+    fn unregister(&mut self, slot: SegmentId) -> Vec<VertexId> {
+        let (a, b) = self.ends(slot);
+        self.segments.cells_along(a, b, &mut self.cells);
+        for &cell in &self.cells {
+            self.segments.remove(cell, slot.0);
+        }
+        std::mem::take(&mut self.originals[slot.index()].chain)
+    }
+
+    /// Puts a segment into the buckets and heats its ends and its crossings with those that are there.
+    fn register(&mut self, a: Point, b: Point, born: &mut Vec<VertexId>) -> SegmentId {
+        let slot = self
+            .free_slots
+            .pop()
+            .unwrap_or(SegmentId(self.originals.len() as u32));
+        let original = Original {
+            a,
+            b,
+            chain: Vec::new(),
+        };
+        match self.originals.get_mut(slot.index()) {
+            Some(free) => *free = original,
+            None => self.originals.push(original),
+        }
+        self.heat(a, born);
+        self.heat(b, born);
+        let mut cells = std::mem::take(&mut self.cells);
+        let mut crossings = Vec::new();
+        self.segments.cells_along(a, b, &mut cells);
+        for &cell in &cells {
+            for other in self.segments.items(cell) {
+                let (c, d) = self.ends(SegmentId(other));
+                if boxes_meet((a, b), (c, d)) && crosses(a, b, c, d) {
+                    crossings.push(crossing_pixel(a, b, c, d));
+                }
+            }
+            self.segments.add(cell, slot.0);
+        }
+        for p in crossings {
+            self.heat(p, born);
+        }
+        self.cells = cells;
+        slot
+    }
+
+    /// Makes the pixel of a grid point hot, if it is not.
+    fn heat(&mut self, p: Point, born: &mut Vec<VertexId>) {
+        let std::collections::hash_map::Entry::Vacant(entry) = self.vertex_at.entry(p) else {
+            return;
+        };
+        let v = self
+            .free_vertices
+            .pop()
+            .unwrap_or(VertexId(self.points.len() as u32));
+        match self.points.get_mut(v.index()) {
+            Some(free) => *free = p,
+            None => self.points.push(p),
+        }
+        entry.insert(v);
+        born.push(v);
+        self.pixels.add(self.pixels.cell_of(p), v.0);
+    }
+
+    /// Segments in the buckets that meet the pixel of a grid point.
+    fn meeting(&self, p: Point) -> impl Iterator<Item = SegmentId> + '_ {
+        self.segments
+            .items(self.segments.cell_of(p))
+            .map(SegmentId)
+            .filter(move |&slot| {
+                let (a, b) = self.ends(slot);
+                meets_pixel(a, b, p)
+            })
+    }
+
+    /// The vertices on old chains whose pixels no end and no crossing holds any more, ascending.
+    fn cooled(&self, removed: &[Reroute]) -> Vec<VertexId> {
+        let mut candidates: Vec<VertexId> =
+            removed.iter().flat_map(|r| r.old.iter().copied()).collect();
+        candidates.sort_unstable();
+        candidates.dedup();
+        candidates.retain(|&v| !self.has_reason(self.points[v.index()]));
+        candidates
+    }
+
+    /// Whether an end or a proper crossing of segments lies in the pixel of a grid point.
+    fn has_reason(&self, p: Point) -> bool {
+        let meeting: Vec<(Point, Point)> = self.meeting(p).map(|slot| self.ends(slot)).collect();
+        meeting.iter().any(|&(a, b)| a == p || b == p)
+            || meeting.iter().enumerate().any(|(i, &(a, b))| {
+                meeting[..i]
+                    .iter()
+                    .any(|&(c, d)| crosses(a, b, c, d) && crossing_pixel(a, b, c, d) == p)
+            })
+    }
+
+    /// Re-routes the chains of segments that stay, through born pixels and past dead ones.
+    fn reroute_survivors(&mut self, diff: &mut Diff) {
+        let mut changes: Vec<(SegmentId, VertexId)> = Vec::new();
+        for &v in diff.born.iter().chain(&diff.dead) {
+            let stays = |&slot: &SegmentId| !self.originals[slot.index()].chain.is_empty();
+            changes.extend(
+                self.meeting(self.points[v.index()])
+                    .filter(stays)
+                    .map(|slot| (slot, v)),
+            );
+        }
+        changes.sort_unstable();
+        for change in changes.chunk_by(|x, y| x.0 == y.0) {
+            let slot = change[0].0;
+            let old = std::mem::take(&mut self.originals[slot.index()].chain);
+            let mut new: Vec<VertexId> = old
+                .iter()
+                .copied()
+                .filter(|v| diff.dead.binary_search(v).is_err())
+                .collect();
+            new.extend(
+                change
+                    .iter()
+                    .map(|&(_, v)| v)
+                    .filter(|v| diff.dead.binary_search(v).is_err()),
+            );
+            self.sort_along(slot, &mut new);
+            let (old, changed) = differing(&old, &new);
+            self.originals[slot.index()].chain = new;
+            diff.rerouted.push(Reroute {
+                slot,
+                old,
+                new: changed,
+            });
+        }
+    }
+
+    /// Forgets pixels that cooled down.
+    fn bury(&mut self, dead: &[VertexId]) {
+        for &v in dead {
+            let p = self.points[v.index()];
+            self.vertex_at.remove(&p);
+            self.pixels.remove(self.pixels.cell_of(p), v.0);
+            self.free_vertices.push(v);
+        }
+    }
+
+    /// The hot pixels that a segment meets, from end to end.
+    fn find_chain(&mut self, slot: SegmentId) -> Vec<VertexId> {
+        let (a, b) = self.ends(slot);
+        let mut chain = Vec::new();
+        self.pixels.cells_along(a, b, &mut self.cells);
+        for &cell in &self.cells {
+            chain.extend(
+                self.pixels
+                    .items(cell)
+                    .map(VertexId)
+                    .filter(|&v| meets_pixel(a, b, self.points[v.index()])),
+            );
+        }
+        self.sort_along(slot, &mut chain);
+        chain
+    }
+
+    /// Sorts pixels that a segment meets in its direction. Rounding is monotone, so both coordinates are.
+    fn sort_along(&self, slot: SegmentId, chain: &mut [VertexId]) {
+        let (a, b) = self.ends(slot);
+        let (x, y) = (
+            i64::from((b.x - a.x).signum()),
+            i64::from((b.y - a.y).signum()),
+        );
+        chain.sort_unstable_by_key(|&v| {
+            let p = self.points[v.index()];
+            x * i64::from(p.x) + y * i64::from(p.y)
+        });
+    }
+}
+
+/// Whether the bounding boxes of two segments meet.
+fn boxes_meet((a, b): (Point, Point), (c, d): (Point, Point)) -> bool {
+    a.x.min(b.x) <= c.x.max(d.x)
+        && c.x.min(d.x) <= a.x.max(b.x)
+        && a.y.min(b.y) <= c.y.max(d.y)
+        && c.y.min(d.y) <= a.y.max(b.y)
+}
+
+/// Two chains with the same ends, without their common beginning and end but for one vertex of each.
+fn differing(old: &[VertexId], new: &[VertexId]) -> (Vec<VertexId>, Vec<VertexId>) {
+    let head = old.iter().zip(new).take_while(|(v, w)| v == w).count();
+    let shorter = old.len().min(new.len()) - head;
+    let tail = old
+        .iter()
+        .rev()
+        .zip(new.iter().rev())
+        .take(shorter)
+        .take_while(|(v, w)| v == w)
+        .count();
+    let cut = |chain: &[VertexId]| {
+        chain[head.saturating_sub(1)..chain.len() - tail.saturating_sub(1)].to_vec()
+    };
+    (cut(old), cut(new))
+}

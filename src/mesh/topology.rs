@@ -1,0 +1,379 @@
+//! The quad-edge structure of Guibas and Stolfi (1985), for triangulations: who is next to whom, and no coordinates.
+//!
+//! An undirected edge is one record of four *quarter-edges*: the edge in both directions (even, r = 0 and 2)
+//! and its dual in both directions (odd, r = 1 and 3). A quarter-edge is the number `4 * record + r`, so turning
+//! it is bit arithmetic. `next` is the next quarter-edge counter-clockwise about the same origin; an
+//! origin is a vertex for even quarter-edges and a face for odd ones, so the dual graph is walked by the same rule.
+//!
+//! Invariants (see `check`): `next` is a permutation; `rot(next(rot(next(q)))) = q`; all
+//! quarter-edges of a ring carry the same origin; every face but [`OUTSIDE`] is a triangle. The sequence of calls fixes all ids.
+
+/// The face around everything.
+pub const OUTSIDE: u32 = 0;
+/// No vertex, no face, no edge.
+pub const NONE: u32 = u32::MAX;
+
+/// A quarter-edge.
+pub type Quarter = u32;
+
+/// One undirected edge with its dual: 32 bytes, half a cache line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct QuadEdge {
+    /// For each quarter-edge the next one counter-clockwise about its origin.
+    next: [Quarter; 4],
+    /// For each quarter-edge its origin: vertex, right face, vertex, left face.
+    data: [u32; 4],
+}
+
+/// The dual edge that crosses from the right face to the left one.
+#[inline]
+pub const fn rot(q: Quarter) -> Quarter {
+    (q & !3) | ((q + 1) & 3)
+}
+
+/// The dual edge that crosses from the left face to the right one.
+#[inline]
+pub const fn inv_rot(q: Quarter) -> Quarter {
+    (q & !3) | ((q + 3) & 3)
+}
+
+/// The same edge, other way.
+#[inline]
+pub const fn sym(q: Quarter) -> Quarter {
+    q ^ 2
+}
+
+/// Vertices, edges and faces of a triangulation.
+#[derive(Clone, Debug, Default)]
+pub struct Topology {
+    quads: Vec<QuadEdge>,
+    /// For each vertex one edge that starts there; `NONE` for unused ids.
+    vertex_edge: Vec<Quarter>,
+    /// For each face one edge that has it on its left; `NONE` for unused ids.
+    face_edge: Vec<Quarter>,
+    free_quads: Vec<u32>,
+    free_faces: Vec<u32>,
+    /// Per face: whether its corners changed since [`Topology::take_touched`].
+    touched: Vec<bool>,
+    touched_list: Vec<u32>,
+}
+
+// Reading: one or two loads each.
+impl Topology {
+    /// Next edge counter-clockwise about the origin.
+    #[inline]
+    pub fn onext(&self, q: Quarter) -> Quarter {
+        self.quads[(q >> 2) as usize].next[(q & 3) as usize]
+    }
+
+    /// Next edge clockwise about the origin.
+    #[inline]
+    pub fn oprev(&self, q: Quarter) -> Quarter {
+        rot(self.onext(rot(q)))
+    }
+
+    /// Next edge counter-clockwise about the left face.
+    #[inline]
+    pub fn lnext(&self, q: Quarter) -> Quarter {
+        rot(self.onext(inv_rot(q)))
+    }
+
+    /// Previous edge counter-clockwise about the left face.
+    #[inline]
+    pub fn lprev(&self, q: Quarter) -> Quarter {
+        sym(self.onext(q))
+    }
+
+    /// The vertex (of an edge) or face (of a dual edge) where a quarter-edge starts.
+    #[inline]
+    pub fn origin(&self, q: Quarter) -> u32 {
+        self.quads[(q >> 2) as usize].data[(q & 3) as usize]
+    }
+
+    /// Where a quarter-edge ends.
+    #[inline]
+    pub fn dest(&self, q: Quarter) -> u32 {
+        self.origin(sym(q))
+    }
+
+    /// The face on the left.
+    #[inline]
+    pub fn left(&self, q: Quarter) -> u32 {
+        self.origin(inv_rot(q))
+    }
+
+    /// The vertex across the left triangle.
+    #[inline]
+    pub fn apex(&self, q: Quarter) -> u32 {
+        self.origin(self.lprev(q))
+    }
+
+    /// One edge that starts at a vertex.
+    #[inline]
+    pub fn vertex_edge(&self, v: u32) -> Quarter {
+        self.vertex_edge[v as usize]
+    }
+
+    /// One edge with a face on its left.
+    #[inline]
+    pub fn face_edge(&self, f: u32) -> Quarter {
+        self.face_edge[f as usize]
+    }
+
+    /// All edges that start at a vertex, counter-clockwise.
+    pub fn ring(&self, v: u32) -> impl Iterator<Item = Quarter> + '_ {
+        let first = self.vertex_edge(v);
+        let mut at = first;
+        std::iter::once(first).chain(std::iter::from_fn(move || {
+            at = self.onext(at);
+            (at != first).then_some(at)
+        }))
+    }
+
+    /// The edge from one vertex to another.
+    pub fn edge_between(&self, v: u32, w: u32) -> Option<Quarter> {
+        self.ring(v).find(|&q| self.dest(q) == w)
+    }
+
+    /// One more than the largest vertex id in use so far.
+    pub fn vertex_count(&self) -> usize {
+        self.vertex_edge.len()
+    }
+
+    /// One more than the largest record id in use so far.
+    pub fn quad_count(&self) -> usize {
+        self.quads.len()
+    }
+
+    /// Whether a vertex id is in use.
+    pub fn has_vertex(&self, v: u32) -> bool {
+        self.vertex_edge.get(v as usize).is_some_and(|&q| q != NONE)
+    }
+
+    /// Whether a face id is in use.
+    pub fn is_face(&self, f: u32) -> bool {
+        self.face_edge.get(f as usize).is_some_and(|&e| e != NONE)
+    }
+
+    /// The three edges that have a face on their left, counter-clockwise.
+    #[inline]
+    pub fn sides(&self, f: u32) -> [Quarter; 3] {
+        let e = self.face_edge(f);
+        [e, self.lnext(e), self.lprev(e)]
+    }
+
+    /// All faces but [`OUTSIDE`], ascending.
+    pub fn faces(&self) -> impl Iterator<Item = u32> + '_ {
+        (1..self.face_edge.len() as u32).filter(|&f| self.face_edge(f) != NONE)
+    }
+
+    /// One edge of each record in use (r = 0), ascending.
+    pub fn edges(&self) -> impl Iterator<Item = Quarter> + '_ {
+        (0..self.quads.len() as u32)
+            .map(|quad| 4 * quad)
+            .filter(|&q| self.origin(q) != NONE)
+    }
+
+    /// One more than the largest face id in use so far.
+    pub fn face_count(&self) -> usize {
+        self.face_edge.len()
+    }
+}
+
+// Rewiring.
+impl Topology {
+    /// A square of four vertices 0..4 (counter-clockwise), cut from 0 to 2, with faces 1 (0 1 2) and 2 (0 2 3).
+    pub fn square() -> Self {
+        let mut t = Topology {
+            vertex_edge: vec![NONE; 4],
+            face_edge: vec![NONE; 1],
+            touched: vec![true],
+            ..Self::default()
+        };
+        let sides = [(0, 1), (1, 2), (2, 3), (3, 0)].map(|(v, w)| t.make_edge(v, w));
+        for i in 0..4 {
+            t.splice(sym(sides[i]), sides[(i + 1) % 4]);
+        }
+        // Connect corner 2 with corner 0 across the inside.
+        let cut = t.make_edge(2, 0);
+        t.splice(cut, t.lnext(sides[1]));
+        t.splice(sym(cut), sides[0]);
+        let (f, g) = (t.make_face(), t.make_face());
+        t.set_triangle([sides[0], sides[1], cut], f);
+        t.set_triangle([sym(cut), sides[2], sides[3]], g);
+        for side in sides {
+            t.set_origin(rot(side), OUTSIDE);
+        }
+        t.face_edge[OUTSIDE as usize] = sym(sides[0]);
+        t
+    }
+
+    /// A loose edge between two vertices: `make_edge` of the paper.
+    fn make_edge(&mut self, v: u32, w: u32) -> Quarter {
+        let quad = self.free_quads.pop().unwrap_or_else(|| {
+            self.quads.push(QuadEdge {
+                next: [NONE; 4],
+                data: [NONE; 4],
+            });
+            self.quads.len() as u32 - 1
+        });
+        let q = 4 * quad;
+        self.quads[quad as usize] = QuadEdge {
+            next: [q, q + 3, q + 2, q + 1],
+            data: [v, NONE, w, NONE],
+        };
+        self.vertex_edge[v as usize] = q;
+        self.vertex_edge[w as usize] = sym(q);
+        q
+    }
+
+    /// Joins the rings of a and b if they are apart and parts them if they are one; so, too, for the dual rings.
+    fn splice(&mut self, a: Quarter, b: Quarter) {
+        let (alpha, beta) = (rot(self.onext(a)), rot(self.onext(b)));
+        let (a_next, b_next) = (self.onext(a), self.onext(b));
+        let (alpha_next, beta_next) = (self.onext(alpha), self.onext(beta));
+        self.set_next(a, b_next);
+        self.set_next(b, a_next);
+        self.set_next(alpha, beta_next);
+        self.set_next(beta, alpha_next);
+    }
+
+    #[inline]
+    fn set_next(&mut self, q: Quarter, next: Quarter) {
+        self.quads[(q >> 2) as usize].next[(q & 3) as usize] = next;
+    }
+
+    #[inline]
+    fn set_origin(&mut self, q: Quarter, origin: u32) {
+        self.quads[(q >> 2) as usize].data[(q & 3) as usize] = origin;
+    }
+
+    /// Makes three edges, each starting where the one before ends, the triangle of a face.
+    #[inline]
+    fn set_triangle(&mut self, sides: [Quarter; 3], face: u32) {
+        let [x, y, z] = sides.map(inv_rot);
+        for (q, next) in [(x, y), (y, z), (z, x)] {
+            self.set_next(q, next);
+            self.set_origin(q, face);
+        }
+        self.face_edge[face as usize] = sides[0];
+        if !self.touched[face as usize] {
+            self.touched[face as usize] = true;
+            self.touched_list.push(face);
+        }
+    }
+
+    fn make_face(&mut self) -> u32 {
+        self.free_faces.pop().unwrap_or_else(|| {
+            self.face_edge.push(NONE);
+            self.touched.push(false);
+            self.face_edge.len() as u32 - 1
+        })
+    }
+
+    /// Turns an edge that lies between two triangles into the other diagonal of their quadrangle.
+    ///
+    /// ```text
+    ///        d                  d
+    ///      / ^ \              /   \
+    ///    n1  |  m2          n1     m2         counter-clockwise: e, n1, n2 and sym e, m1, m2 before,
+    ///    l   e   r    ->    l <-e-- r         e, n2, m1 and sym e, m2, n1 after
+    ///    n2  |  m1          n2     m1
+    ///      \ | /              \   /
+    ///        o                  o
+    /// ```
+    pub fn flip(&mut self, e: Quarter) {
+        let (n1, n2) = (self.lnext(e), self.lprev(e));
+        let (m1, m2) = (self.lnext(sym(e)), self.lprev(sym(e)));
+        let (f, g) = (self.left(e), self.left(sym(e)));
+        // The rings of o and d lose the edge, those of r and l gain it.
+        self.set_next(m1, sym(n2));
+        self.set_next(n1, sym(m2));
+        self.set_next(m2, e);
+        self.set_next(e, sym(m1));
+        self.set_next(n2, sym(e));
+        self.set_next(sym(e), sym(n1));
+        let [o, d, l, r] = [m1, n1, n2, m2].map(|q| self.origin(q));
+        self.set_origin(e, r);
+        self.set_origin(sym(e), l);
+        self.vertex_edge[o as usize] = m1;
+        self.vertex_edge[d as usize] = n1;
+        self.set_triangle([e, n2, m1], f);
+        self.set_triangle([sym(e), m2, n1], g);
+    }
+
+    /// Puts the new vertex v into a face; returns an edge that starts at v.
+    ///
+    /// ```text
+    ///          c                   c
+    ///        /   \               / | \          x, y, z run counter-clockwise from a;
+    ///       z     y     ->      z  r  y         p, q, r start at v; the old face
+    ///      /       \           / p v q \        keeps the triangle at x
+    ///     a ---x--- b         a ---x--- b
+    /// ```
+    pub fn insert(&mut self, v: u32, face: u32) -> Quarter {
+        let x = self.face_edge(face);
+        let (y, z) = (self.lnext(x), self.lprev(x));
+        if self.vertex_edge.len() <= v as usize {
+            self.vertex_edge.resize(v as usize + 1, NONE);
+        }
+        let [p, q, r] = [x, y, z].map(|side| self.make_spoke(v, side));
+        self.set_next(p, q);
+        self.set_next(q, r);
+        self.set_next(r, p);
+        let (g, h) = (self.make_face(), self.make_face());
+        self.set_triangle([x, sym(q), p], face);
+        self.set_triangle([y, sym(r), q], g);
+        self.set_triangle([z, sym(p), r], h);
+        p
+    }
+
+    /// A new edge from v to the origin of a side of a triangle, entering that ring inside the triangle.
+    fn make_spoke(&mut self, v: u32, side: Quarter) -> Quarter {
+        let spoke = self.make_edge(v, self.origin(side));
+        let after = self.onext(side);
+        self.set_next(side, sym(spoke));
+        self.set_next(sym(spoke), after);
+        spoke
+    }
+
+    /// Removes a vertex of degree three, with its edges, leaving one face: [`Topology::insert`] backwards.
+    pub fn remove(&mut self, v: u32) -> u32 {
+        let p = self.vertex_edge(v);
+        let (q, r) = (self.onext(p), self.oprev(p));
+        debug_assert_eq!(
+            self.onext(q),
+            r,
+            "only a vertex of degree three can be removed"
+        );
+        let sides = [p, q, r].map(|spoke| self.lnext(spoke));
+        let faces = [p, q, r].map(|spoke| self.left(spoke));
+        for (spoke, side) in [p, q, r].into_iter().zip(sides) {
+            let corner = self.origin(side);
+            self.set_next(side, self.onext(sym(spoke)));
+            self.vertex_edge[corner as usize] = side;
+        }
+        for spoke in [p, q, r] {
+            self.quads[(spoke >> 2) as usize] = QuadEdge {
+                next: [NONE; 4],
+                data: [NONE; 4],
+            };
+            self.free_quads.push(spoke >> 2);
+        }
+        for face in [faces[1], faces[2]] {
+            self.face_edge[face as usize] = NONE;
+            self.free_faces.push(face);
+        }
+        self.vertex_edge[v as usize] = NONE;
+        self.set_triangle(sides, faces[0]);
+        faces[0]
+    }
+
+    /// The faces whose corners changed since the last call, in order of the first change; some may be gone.
+    pub fn take_touched(&mut self) -> Vec<u32> {
+        for &f in &self.touched_list {
+            self.touched[f as usize] = false;
+        }
+        std::mem::take(&mut self.touched_list)
+    }
+}

@@ -1,0 +1,269 @@
+//! The constrained Delaunay triangulation: a topology, the points of its vertices and the edges that are fixed.
+//!
+//! A free edge between triangles (o d l) and (d o r) is *legal* if r is outside the circle through o, d and l. Of
+//! cocircular quadrangles the diagonal at the lexicographically smallest corner is legal: as if each vertex
+//! were lifted above the paraboloid by an infinitesimal that shrinks with its rank, so flipping illegal edges
+//! (Lawson 1977) ends, always in the same triangulation. It depends on the vertices and the fixed edges alone.
+
+use super::topology::{NONE, Quarter, Topology, sym};
+use super::walk::{Found, walk};
+use crate::geom::predicates::{crosses, in_circle, orient2d};
+use crate::geom::{BOUND, Point};
+use std::cmp::Ordering;
+use std::collections::VecDeque;
+
+/// Furthest coordinate of the outer box, in steps; all other vertices lie strictly inside.
+pub const EDGE_OF_WORLD: i32 = BOUND - 1;
+
+/// Corners of the outer box: vertices 0 to 3.
+pub const CORNERS: [Point; 4] = [
+    Point::new(-EDGE_OF_WORLD, -EDGE_OF_WORLD),
+    Point::new(EDGE_OF_WORLD, -EDGE_OF_WORLD),
+    Point::new(EDGE_OF_WORLD, EDGE_OF_WORLD),
+    Point::new(-EDGE_OF_WORLD, EDGE_OF_WORLD),
+];
+
+/// The triangulation.
+#[derive(Clone, Debug)]
+pub struct Triangulation {
+    /// Who is next to whom.
+    pub topology: Topology,
+    /// Point of each vertex.
+    points: Vec<Point>,
+    /// Per edge record: whether the edge must stay.
+    fixed: Vec<bool>,
+    /// Edges that may have become illegal.
+    suspects: Vec<Quarter>,
+    /// The vertex that was inserted last: where the next walk starts.
+    recent: u32,
+}
+
+impl Triangulation {
+    /// The outer box alone.
+    pub fn new() -> Self {
+        let topology = Topology::square();
+        let outer = |q: Quarter| {
+            topology.left(q) == super::topology::OUTSIDE
+                || topology.left(sym(q)) == super::topology::OUTSIDE
+        };
+        let fixed = topology.edges().map(outer).collect();
+        let suspects = topology.edges().collect();
+        let mut t = Triangulation {
+            topology,
+            points: CORNERS.to_vec(),
+            fixed,
+            suspects,
+            recent: 0,
+        };
+        t.legalise();
+        t
+    }
+
+    /// Point of a vertex.
+    #[inline]
+    pub fn point(&self, v: u32) -> Point {
+        self.points[v as usize]
+    }
+
+    /// Points by vertex id; those of unused ids mean nothing.
+    #[inline]
+    pub fn points(&self) -> &[Point] {
+        &self.points
+    }
+
+    /// Whether an edge must stay: constraints and the outer box.
+    #[inline]
+    pub fn is_fixed(&self, q: Quarter) -> bool {
+        self.fixed
+            .get((q >> 2) as usize)
+            .is_some_and(|&fixed| fixed)
+    }
+
+    /// Makes an edge stay whatever its circle says.
+    pub fn fix(&mut self, q: Quarter) {
+        let quads = self.topology.quad_count();
+        if self.fixed.len() < quads {
+            self.fixed.resize(quads, false);
+        }
+        self.fixed[(q >> 2) as usize] = true;
+    }
+
+    /// Lets an edge go.
+    pub fn release(&mut self, q: Quarter) {
+        self.fixed[(q >> 2) as usize] = false;
+        self.suspects.push(q);
+    }
+
+    /// Start, end, left and right corner of the quadrangle around an edge.
+    #[inline]
+    fn quadrangle(&self, e: Quarter) -> [Point; 4] {
+        let t = &self.topology;
+        [t.origin(e), t.dest(e), t.apex(e), t.apex(sym(e))].map(|v| self.point(v))
+    }
+
+    /// Whether a free edge is legal.
+    #[inline]
+    pub fn is_legal(&self, e: Quarter) -> bool {
+        let [o, d, l, r] = self.quadrangle(e);
+        match in_circle(o, d, l, r).cmp(&0) {
+            Ordering::Less => true,
+            Ordering::Greater => false,
+            Ordering::Equal => o.min(d) < l.min(r),
+        }
+    }
+
+    /// Inserts a vertex into a legal triangulation and makes it legal again. The point must lie strictly inside
+    /// the box and on no vertex and no fixed edge.
+    pub fn insert(&mut self, v: u32, p: Point) {
+        if self.points.len() <= v as usize {
+            self.points.resize(v as usize + 1, p);
+        }
+        self.points[v as usize] = p;
+        let start = if self.topology.has_vertex(self.recent) {
+            self.recent
+        } else {
+            0
+        };
+        match walk(&self.topology, &self.points, start, &p) {
+            Found::Face(e) => {
+                self.topology.insert(v, self.topology.left(e));
+            }
+            Found::Edge(e) => {
+                // Into the face beside the edge, where it makes a triangle without area, which the flip opens.
+                debug_assert!(!self.is_fixed(e), "a new vertex lies on a fixed edge");
+                self.topology.insert(v, self.topology.left(e));
+                self.topology.flip(e);
+            }
+            Found::Vertex(w) => debug_assert!(false, "vertex {v} lies on vertex {w}"),
+        }
+        self.recent = v;
+        self.legalise_around(v);
+    }
+
+    /// Legalises after an insertion: only edges across from the new vertex can be illegal.
+    fn legalise_around(&mut self, v: u32) {
+        let mut opposite: Vec<Quarter> = std::mem::take(&mut self.suspects);
+        let settled = opposite.len();
+        opposite.extend(
+            self.topology
+                .ring(v)
+                .map(|spoke| self.topology.lnext(spoke)),
+        );
+        while opposite.len() > settled {
+            let Some(e) = opposite.pop() else { break };
+            if !self.is_fixed(e) && !self.is_legal(e) {
+                // v is the left corner; beyond are the two sides of the right triangle.
+                let (m1, m2) = (self.topology.lnext(sym(e)), self.topology.lprev(sym(e)));
+                self.topology.flip(e);
+                opposite.extend([m1, m2]);
+            }
+        }
+        self.suspects = opposite;
+    }
+
+    /// Flips illegal free edges until there are none.
+    pub fn legalise(&mut self) {
+        while let Some(e) = self.suspects.pop() {
+            if self.topology.origin(e) != NONE && !self.is_fixed(e) && !self.is_legal(e) {
+                self.flip(e);
+            }
+        }
+    }
+
+    /// Flips an edge and suspects the sides of its quadrangle.
+    fn flip(&mut self, e: Quarter) {
+        let t = &mut self.topology;
+        self.suspects
+            .extend([t.lnext(e), t.lprev(e), t.lnext(sym(e)), t.lprev(sym(e))]);
+        t.flip(e);
+    }
+
+    /// Deletes a vertex all of whose edges are free. Call [`Self::legalise`] when all is done.
+    ///
+    /// Flips cut ears off the star of v until three spokes are left. A spoke v-w can be flipped if the ear
+    /// p w n turns left and leaves v inside or on the new edge; of four or more spokes one always can
+    /// (of two ears that do not overlap, only one can hold v).
+    ///
+    /// ```text
+    ///       w                 w
+    ///     / | \             /   \
+    ///    n  |  p     ->    n --- p
+    ///     \ | /             \   /
+    ///       v                 v
+    /// ```
+    pub fn delete(&mut self, v: u32) {
+        let mut spoke = self.topology.vertex_edge(v);
+        let mut degree = self.topology.ring(v).count();
+        while degree > 3 {
+            let t = &self.topology;
+            debug_assert!(!self.is_fixed(spoke), "a vertex on a fixed edge is deleted");
+            let next = t.onext(spoke);
+            let [w, p, n] = [spoke, t.oprev(spoke), next].map(|q| self.point(t.dest(q)));
+            if orient2d(p, w, n) > 0 && orient2d(self.point(v), p, n) >= 0 {
+                self.flip(spoke);
+                self.suspects.push(spoke);
+                degree -= 1;
+            }
+            spoke = next;
+        }
+        let face = self.topology.remove(v);
+        let e = self.topology.face_edge(face);
+        self.suspects
+            .extend([e, self.topology.lnext(e), self.topology.lprev(e)]);
+    }
+
+    /// The edge between two vertices, made by flips if need be. Call [`Self::legalise`] when all is done.
+    ///
+    /// All edges that cross it must be free, and no vertex may lie on it. (Sloan 1993: flip the crossing edges
+    /// of convex quadrangles, put the others off.)
+    pub fn enforce(&mut self, v: u32, w: u32) -> Quarter {
+        if let Some(e) = self.topology.edge_between(v, w) {
+            return e;
+        }
+        let (a, b) = (self.point(v), self.point(w));
+        let mut crossing = self.crossing(v, w);
+        while let Some(e) = crossing.pop_front() {
+            debug_assert!(!self.is_fixed(e), "two fixed edges cross");
+            let [o, d, l, r] = self.quadrangle(e);
+            if !crosses(o, d, l, r) {
+                crossing.push_back(e);
+                continue;
+            }
+            self.flip(e);
+            if crosses(a, b, l, r) {
+                crossing.push_back(e);
+            } else {
+                self.suspects.push(e);
+            }
+        }
+        let made = self.topology.edge_between(v, w);
+        made.expect("flipping all crossing edges leaves the edge itself")
+    }
+
+    /// The edges that cross the line between two vertices, in order.
+    fn crossing(&self, v: u32, w: u32) -> VecDeque<Quarter> {
+        let t = &self.topology;
+        let (a, b) = (self.point(v), self.point(w));
+        let sees = |q: &Quarter| {
+            let (p, n) = (self.point(t.dest(*q)), self.point(t.apex(*q)));
+            orient2d(a, p, b) > 0 && orient2d(a, n, b) < 0 && orient2d(a, p, n) > 0
+        };
+        let mut crossing = VecDeque::new();
+        let first = t.ring(v).find(sees).map(|q| t.lnext(q));
+        let mut e =
+            first.expect("a straight line between vertices leaves the first between two edges");
+        loop {
+            crossing.push_back(e);
+            e = sym(e);
+            let apex = t.apex(e);
+            if apex == w {
+                return crossing;
+            }
+            e = if orient2d(a, b, self.point(apex)) < 0 {
+                t.lprev(e)
+            } else {
+                t.lnext(e)
+            };
+        }
+    }
+}

@@ -1,0 +1,101 @@
+//! Provenance of edges: which feature edges run along each mesh edge, with direction and multiplicity.
+//!
+//! Lists are linked through one slab, sorted by feature and source: their order is a property of
+//! the set of features and not of how the mesh came about.
+
+use super::topology::{NONE, Quarter};
+use super::{Segment, SegmentId, Use};
+
+/// Lists of uses by edge record.
+#[derive(Clone, Debug, Default)]
+pub struct Uses {
+    /// First link of each edge record's list; edges beyond the end have none.
+    heads: Vec<u32>,
+    links: Vec<Link>,
+    free: Vec<u32>,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Link {
+    segment: SegmentId,
+    /// Direction relative to the quarter-edge with r = 0.
+    forward: bool,
+    next: u32,
+}
+
+impl Uses {
+    fn head(&self, e: Quarter) -> u32 {
+        self.heads.get((e >> 2) as usize).copied().unwrap_or(NONE)
+    }
+
+    /// Whether nothing runs along an edge.
+    pub fn is_empty(&self, e: Quarter) -> bool {
+        self.head(e) == NONE
+    }
+
+    /// The uses of an edge, by feature and source, with directions relative to `e`.
+    pub fn of(&self, e: Quarter) -> impl Iterator<Item = Use> + '_ {
+        let mut at = self.head(e);
+        let along = e & 2 == 0;
+        std::iter::from_fn(move || {
+            let link = self.links.get(at as usize)?;
+            at = link.next;
+            Some(Use {
+                segment: link.segment,
+                forward: link.forward == along,
+            })
+        })
+    }
+
+    /// Adds a use of an edge by a segment that runs in the direction of `e`.
+    pub fn add(&mut self, e: Quarter, segment: SegmentId, segments: &[Segment]) {
+        if self.heads.len() <= (e >> 2) as usize {
+            self.heads.resize((e >> 2) as usize + 1, NONE);
+        }
+        let key = |s: SegmentId| {
+            (
+                segments[s.0 as usize].feature,
+                segments[s.0 as usize].source,
+                s,
+            )
+        };
+        let (mut before, mut at) = (NONE, self.head(e));
+        while at != NONE && key(self.links[at as usize].segment) < key(segment) {
+            (before, at) = (at, self.links[at as usize].next);
+        }
+        let link = Link {
+            segment,
+            forward: e & 2 == 0,
+            next: at,
+        };
+        let new = match self.free.pop() {
+            Some(free) => {
+                self.links[free as usize] = link;
+                free
+            }
+            None => {
+                self.links.push(link);
+                self.links.len() as u32 - 1
+            }
+        };
+        self.set_next(e, before, new);
+    }
+
+    /// Removes the use of an edge by a segment, which must be there.
+    pub fn remove(&mut self, e: Quarter, segment: SegmentId) {
+        let (mut before, mut at) = (NONE, self.head(e));
+        while self.links[at as usize].segment != segment {
+            (before, at) = (at, self.links[at as usize].next);
+        }
+        self.set_next(e, before, self.links[at as usize].next);
+        self.free.push(at);
+    }
+
+    /// Lets the list of `e` go on with `next` after the link `before`, or start with it.
+    fn set_next(&mut self, e: Quarter, before: u32, next: u32) {
+        match self.links.get_mut(before as usize) {
+            Some(link) => link.next = next,
+            None => self.heads[(e >> 2) as usize] = next,
+        }
+    }
+}
