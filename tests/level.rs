@@ -136,42 +136,41 @@ fn numbers_that_are_none_or_too_large_are_refused() {
 fn outlines_that_are_not_simple_are_refused() {
     let ledge = "[(3, 1), (5, 1), (4, 2)]";
     let cases = [
-        (
-            "[]",
-            "23: feature \"ledge\", outline: has 0 corners; an outline needs 3",
-        ),
+        ("[]", "an outline needs 3 corners and this one has 0"),
         (
             "[(3, 1), (5, 1)]",
-            "23: feature \"ledge\", outline: has 2 corners; an outline needs 3",
+            "an outline needs 3 corners and this one has 2",
         ),
         (
             "[(3, 1), (5, 1), (5, 1.000001), (4, 2)]",
-            "23: feature \"ledge\", outline: corners 1 and 2 are one point of the grid: an edge of no length",
+            "edge 1 has no length (on the grid): (5, 1) to (5, 1.000001)",
         ),
         (
             "[(3, 1), (5, 1), (4, 2), (3, 1)]",
-            "23: feature \"ledge\", outline: corners 3 and 0 are one point of the grid: an edge of no length",
+            "edge 3 has no length (on the grid): (3, 1) to (3, 1)",
         ),
         (
             "[(3, 1), (5, 2), (5, 1), (3, 2)]",
-            "23: feature \"ledge\", outline: edges 0 and 2 cross or touch",
+            "edges 0 and 2 cross or touch: (3, 1) to (5, 2) and (5, 1) to (3, 2)",
         ),
         (
             "[(3, 1), (5, 1), (4, 1), (4, 2)]",
-            "23: feature \"ledge\", outline: edges 0 and 1 cross or touch",
+            "the outline turns back on itself at corner 1: (5, 1)",
         ),
         (
             "[(3, 1), (5, 1), (5, 2), (4, 1), (3, 2)]",
-            "23: feature \"ledge\", outline: edges 0 and 2 cross or touch",
-        ),
-        (
-            "[\n(3, 1),\n(5, 2),\n(5, 1),\n(3, 2)]",
-            "24: feature \"ledge\", outline: edges 0 and 2 cross or touch",
+            "edges 0 and 3 cross or touch: (3, 1) to (5, 1) and (4, 1) to (3, 2)",
         ),
     ];
-    for (outline, expected) in cases {
-        assert_eq!(complaint(ledge, outline), format!("small.ron:{expected}"));
+    for (outline, message) in cases {
+        let expected = format!("small.ron:23: feature \"ledge\", outline: {message}");
+        assert_eq!(complaint(ledge, outline), expected);
     }
+    let spread = complaint(ledge, "[\n(3, 2),\n(3, 1),\n(5, 2),\n(5, 1)]");
+    assert!(
+        spread.starts_with("small.ron:25: feature \"ledge\", outline: edges 1 and 3 cross"),
+        "{spread}"
+    );
 }
 
 #[test]
@@ -213,6 +212,16 @@ fn names_and_places_that_make_no_sense_are_refused() {
             "5: level, start: lies in the goal: the level would end before it begins",
         ),
         (
+            "(0.0, 0.5)",
+            "(0.0, -0.5)",
+            "5: level, start: the hero would stand inside feature \"floor, [(\\\"quoted\\\")]\"",
+        ),
+        (
+            "(0.0, 0.5)",
+            "(4.0, 0.0)",
+            "5: level, start: the hero would stand inside feature \"ledge\"",
+        ),
+        (
             "version: 1",
             "version: 2",
             "3: level, version: 2 is not supported; this build reads version 1",
@@ -220,6 +229,24 @@ fn names_and_places_that_make_no_sense_are_refused() {
     ];
     for (from, to, expected) in cases {
         assert_eq!(complaint(from, to), format!("small.ron:{expected}"));
+    }
+}
+
+#[test]
+fn the_hero_fits_where_he_touches() {
+    // On the floor exactly, and beside the ledge with 13/32 m to his side; one grid step further he does not fit.
+    for (start, fits) in [
+        ("(4, 2)", true),
+        ("(0, 0)", true),
+        ("(5.40625, 0)", true),
+        ("(5.40623, 0)", false),
+    ] {
+        let text = SMALL.replacen("(0.0, 0.5)", start, 1);
+        assert_eq!(
+            level::parse(&text, Path::new("small.ron")).is_ok(),
+            fits,
+            "{start}"
+        );
     }
 }
 

@@ -1,8 +1,8 @@
 //! The rules that the data of a level keeps. They are checked once, at the door; inside, nobody asks again.
 
-use super::simple::first_clash;
 use super::{Entity, Feature, Flaw, Level, Rect, Scenery, VERSION};
-use crate::geom::Point;
+use crate::geom::polygon::winding;
+use crate::geom::{Collider, OutlineError, Point, check_outline, expand};
 use glam::DVec2;
 use std::collections::BTreeMap;
 
@@ -32,6 +32,7 @@ pub fn check(level: &Level) -> Result<(), Flaw> {
         .iter()
         .enumerate()
         .try_for_each(|(index, feature)| check_feature(index, feature))?;
+    check_start(level)?;
     level
         .scenery
         .iter()
@@ -119,36 +120,76 @@ fn check_feature(index: usize, feature: &Feature) -> Result<(), Flaw> {
             ..flaw
         })?;
     }
-    let flaw = |corner, message| {
-        Err(Flaw {
-            entity: entity.clone(),
-            field: "outline".into(),
-            corner,
-            message,
-        })
+    let flaw = |corner, message| Flaw {
+        entity: entity.clone(),
+        field: "outline".into(),
+        corner,
+        message,
     };
-    match outline.len() {
-        n @ 0..3 => return flaw(None, format!("has {n} corners; an outline needs 3")),
-        n if n > CORNER_LIMIT => {
-            return flaw(
-                None,
-                format!("has {n} corners; at most {CORNER_LIMIT} are allowed"),
-            );
-        }
-        _ => {}
-    }
-    let points: Vec<Point> = outline.iter().filter_map(|&p| Point::snap(p)).collect();
-    if let Some(i) = (0..points.len()).find(|&i| points[i] == points[(i + 1) % points.len()]) {
-        let next = (i + 1) % points.len();
-        return flaw(
-            Some(i),
-            format!("corners {i} and {next} are one point of the grid: an edge of no length"),
+    if outline.len() > CORNER_LIMIT {
+        let message = format!(
+            "has {} corners; at most {CORNER_LIMIT} are allowed",
+            outline.len()
         );
+        return Err(flaw(None, message));
     }
-    if let Some((i, j)) = first_clash(&points) {
-        return flaw(Some(i), format!("edges {i} and {j} cross or touch"));
+    check_outline(&snapped(outline))
+        .map_err(|error| flaw(corner_of(error), describe(error, outline)))
+}
+
+/// The grid points of an outline whose coordinates are in bounds.
+fn snapped(outline: &[DVec2]) -> Vec<Point> {
+    outline.iter().filter_map(|&p| Point::snap(p)).collect()
+}
+
+/// The corner at which to look first.
+fn corner_of(error: OutlineError) -> Option<usize> {
+    match error {
+        OutlineError::TooFew { .. } => None,
+        OutlineError::ZeroLength { edge } => Some(edge),
+        OutlineError::Spike { corner } => Some(corner),
+        OutlineError::Meet { first, .. } => Some(first),
     }
-    Ok(())
+}
+
+/// The error with places, as the file writes them.
+fn describe(error: OutlineError, outline: &[DVec2]) -> String {
+    let corner = |i: usize| {
+        outline
+            .get(i % outline.len())
+            .map_or(String::new(), |p| format!("({}, {})", p.x, p.y))
+    };
+    let ends = |i: usize| format!("{} to {}", corner(i), corner(i + 1));
+    match error {
+        OutlineError::TooFew { .. } => error.to_string(),
+        OutlineError::ZeroLength { edge } => format!("{error}: {}", ends(edge)),
+        OutlineError::Spike { corner: i } => format!("{error}: {}", corner(i)),
+        OutlineError::Meet { first, second } => {
+            format!("{error}: {} and {}", ends(first), ends(second))
+        }
+    }
+}
+
+/// The standing hero must fit where the level starts; to touch is to fit.
+fn check_start(level: &Level) -> Result<(), Flaw> {
+    let hero = Collider::hero();
+    let inside = |feature: &&Feature| {
+        // The boundary of the outline expanded by the hero, who is then a point.
+        let chain: Vec<Point> = expand(&snapped(&feature.outline), &hero)
+            .iter()
+            .map(|edge| edge.a)
+            .collect();
+        Point::snap(level.start)
+            .and_then(|start| winding(&chain, start))
+            .is_some_and(|turns| turns > 0)
+    };
+    match level.features.iter().find(inside) {
+        Some(feature) => Err(Flaw::of_level(
+            "start",
+            format!("the hero would stand inside feature {:?}", feature.id),
+        )),
+        None => Ok(()),
+    }
 }
 
 fn check_scenery(index: usize, scenery: &Scenery) -> Result<(), Flaw> {

@@ -9,7 +9,6 @@ mod check;
 mod error;
 mod file;
 mod marks;
-mod simple;
 
 pub use check::{COORDINATE_LIMIT, CORNER_LIMIT, check};
 pub use error::{Entity, Flaw, LevelError};
