@@ -1,14 +1,20 @@
-//! The rules: Input in, View and Event out. CONTRACT (skeleton): the signatures below are what the shell calls.
+//! The rules: Input in, View and Event out.
+//!
+//! A [`Stage`] is a level with its meshes, a [`World`] the state of a game in it, a [`Replay`] a run as a value. Nothing here
+//! opens a window, reads a clock or touches a file.
 
 mod blend;
 pub mod camera;
+pub mod replay;
+mod stage;
+mod world;
 
-use crate::level::Level;
-use crate::mesh::Mesh;
-use crate::tune::Tuning;
+pub use replay::{Replay, ReplayError};
+pub use stage::{Stage, StageError};
+pub use world::World;
+
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
-use std::sync::Arc;
 
 /// What the player holds at a tick.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -22,19 +28,6 @@ pub struct Input {
     pub down: bool,
     /// Back to the start, at once.
     pub retry: bool,
-}
-
-/// A level made ready to play: checked, with its meshes built.
-#[derive(Debug)]
-pub struct Stage {
-    /// The level.
-    pub level: Level,
-    /// Motion mesh of the standing hero.
-    pub stand: Mesh,
-    /// Motion mesh of the crouching hero.
-    pub crouch: Mesh,
-    /// Mesh of the outlines themselves (a point as collider): what there is to see.
-    pub outline: Mesh,
 }
 
 /// What the hero is doing, for pictures and sounds.
@@ -77,27 +70,4 @@ pub struct View {
     pub won_at: Option<f64>,
     /// How often the hero fell out of the level.
     pub deaths: u32,
-}
-
-/// The whole simulation state.
-#[derive(Clone, Debug)]
-pub struct World {
-    stage: Arc<Stage>,
-}
-
-impl World {
-    /// A world at tick 0, the hero at the start.
-    pub fn new(stage: Arc<Stage>, tick_rate: u32, seed: u64) -> World { let _ = (tick_rate, seed); World { stage } }
-    /// One tick.
-    pub fn step(&mut self, _input: Input, _tuning: &Tuning) { todo!() }
-    /// What to draw.
-    pub fn view(&self) -> View { todo!() }
-    /// Ticks done.
-    pub fn tick(&self) -> u64 { todo!() }
-    /// Hash of the state, equal on every machine and in every build.
-    pub fn hash(&self) -> u64 { todo!() }
-    /// The level.
-    pub fn stage(&self) -> &Arc<Stage> { &self.stage }
-    /// The mesh that the hero moves in now.
-    pub fn mesh(&self) -> &Mesh { &self.stage.stand }
 }

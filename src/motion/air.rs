@@ -67,11 +67,10 @@ impl Air {
         (d.perp_dot(self.p0 - anchor.metres()), d.perp_dot(self.v0), 0.5 * d.perp_dot(self.accel))
     }
 
-    /// A piece of a feature edge that was cut lies up to half a step beside it: the time of the hit is that on the feature
-    /// edge itself, so that cuts elsewhere along it change nothing.
+    /// The time of a hit on a piece of a feature edge is that on the feature edge itself: a piece that was cut lies up to
+    /// half a step beside it, and so cuts elsewhere along it change nothing, nor does which of several collinear edges is hit.
     fn on_feature_edge(&self, mesh: &Mesh, e: EdgeId, dt: f64, tuning: &Motion) -> f64 {
-        let cut = |s: &SegmentId| mesh.chain(*s).len() > 2;
-        let Some(s) = segment_at(mesh, e, tuning.max_slope, |_| false).filter(cut) else { return dt };
+        let Some(s) = segment_at(mesh, e, tuning.max_slope, |_| false) else { return dt };
         let (c, b, q) = Track::of(mesh.segment(s)).height(self.p0, self.v0, self.accel);
         let moved = |there: f64| (self.position(self.t0 + there) - self.position(self.t0 + dt)).length();
         exit(c.max(0.0), b, q, self.since).filter(|&there| moved(there) <= DISPLACED).unwrap_or(dt)
@@ -178,9 +177,9 @@ impl Body {
             Sector::Solid(out, into) => (out, into),
         };
         let vertex = mesh.origin(out);
-        let sides = [out, into].map(|e| self.meet(e, vertex, v, accel, terrain));
+        let sides = [out, into].map(|e| self.meet(e, vertex, accel, terrain));
         let [Some(a), Some(b)] = sides else { return self.wedge(mesh.point(vertex).metres(), out, terrain, trace) };
-        let tip = a.struck && b.struck && !a.walkable && !b.walkable;
+        let tip = [&a, &b].into_iter().all(|m| m.struck && m.outward > 0.0 && !m.walkable);
         let best = [&a, &b].into_iter().filter(|m| m.struck && (m.outward >= 0.0 || m.walkable) && !tip);
         match best.max_by(|a, b| a.rank().partial_cmp(&b.rank()).expect("no NaN in a motion")) {
             Some(m) => {
@@ -194,20 +193,20 @@ impl Body {
     }
 
     /// How a motion at a vertex meets one of the edges there.
-    fn meet(&self, edge: EdgeId, vertex: VertexId, v: DVec2, accel: DVec2, terrain: &Terrain) -> Option<Meeting> {
+    fn meet(&self, edge: EdgeId, vertex: VertexId, accel: DVec2, terrain: &Terrain) -> Option<Meeting> {
         let mesh = terrain.mesh(self.size);
+        let v = self.velocity();
         let segment = segment_at(mesh, edge, terrain.tuning.max_slope, |_| false)?;
         let track = Track::of(mesh.segment(segment));
         let into = -track.normal.dot(v);
         // Along the edge and away from the vertex: with the free side on the left for the edge that starts there.
         let away = if (mesh.origin(edge) == vertex) == track.leftward_free { 1.0 } else { -1.0 };
-        let along = track.tangent.dot(v);
         Some(Meeting {
             segment,
             edge,
             into,
-            along,
-            outward: along * away,
+            along: track.tangent.dot(v),
+            outward: track.tangent.dot(Bearing::of(v, accel).d) * away,
             struck: into > 0.0 || into == 0.0 && track.normal.dot(accel) < 0.0,
             walkable: walkable(mesh.segment(segment), terrain.tuning.max_slope),
             normal_y: track.normal.y,
@@ -231,7 +230,7 @@ struct Meeting {
     into: f64,
     /// Speed along its tangent.
     along: f64,
-    /// Speed along it, away from the vertex.
+    /// Positive if the motion leads along it, away from the vertex.
     outward: f64,
     /// The motion goes into it.
     struck: bool,

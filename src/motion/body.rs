@@ -295,6 +295,17 @@ impl Body {
         }
     }
 
+    /// When the next event is due, if there will be one.
+    pub fn next_at(&self) -> Option<f64> {
+        self.next.map(|(at, _)| at)
+    }
+
+    /// Position and velocity at a later time, if nothing happened until then.
+    pub fn forecast(&self, time: f64) -> (DVec2, DVec2) {
+        let later = Body { time, ..self.clone() };
+        (later.position(), later.velocity())
+    }
+
     /// Unit normal of the surface, towards the body; zero in the air.
     pub fn normal(&self) -> DVec2 {
         match &self.mode {

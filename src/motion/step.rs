@@ -8,18 +8,18 @@ use glam::DVec2;
 const CYCLE: u32 = 4096;
 
 impl Body {
-    /// A body at rest in the air, its foot at `at` (m), at time 0.
+    /// A body at rest in the air, its foot at `at` (m), at a time (s).
     ///
     /// # Errors
     /// If the position is no position of the world, or the standing body would overlap a solid there.
-    pub fn spawn(at: DVec2, terrain: &Terrain) -> Result<Body, SpawnError> {
+    pub fn spawn(at: DVec2, time: f64, terrain: &Terrain) -> Result<Body, SpawnError> {
         let bearing = DVec2::new(0.0, -1.0);
         let face = super::size::free_face(terrain.stand, at, bearing, bearing)?;
         let mut body = Body {
             mode: Mode::Wedge(Wedge { at, face }),
             size: Size::Stand,
             control: Control::default(),
-            time: 0.0,
+            time,
             pressed_at: None,
             coyote_from: None,
             rising: false,

@@ -1,0 +1,276 @@
+//! Scenes in a few words: solids, a collider, a tuning; run as they are, mirrored and shifted.
+
+use edgewalker::geom::{Collider, Point, expand};
+use edgewalker::mesh::Mesh;
+use edgewalker::motion::{Body, Control, EventKind, Mode, Size, Terrain, Trace, check::check};
+use edgewalker::tune::Motion;
+use glam::DVec2;
+
+/// Half the width of B, and its height.
+pub const HALF: f64 = 13.0 / 32.0;
+pub const TALL: f64 = 29.0 / 16.0;
+
+/// What is done to a scene before it is run.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Variant {
+    Plain,
+    Mirrored,
+    Shifted,
+}
+
+impl Variant {
+    fn there(self, p: DVec2) -> DVec2 {
+        match self {
+            Variant::Plain => p,
+            Variant::Mirrored => DVec2::new(-p.x, p.y),
+            Variant::Shifted => p + DVec2::new(1000.5, -2000.25),
+        }
+    }
+
+    fn back(self, p: DVec2) -> DVec2 {
+        match self {
+            Variant::Plain => p,
+            Variant::Mirrored => DVec2::new(-p.x, p.y),
+            Variant::Shifted => p - DVec2::new(1000.5, -2000.25),
+        }
+    }
+
+    fn velocity(self, v: DVec2) -> DVec2 {
+        if self == Variant::Mirrored { DVec2::new(-v.x, v.y) } else { v }
+    }
+}
+
+/// A scene.
+#[derive(Clone)]
+pub struct Scene {
+    pub solids: Vec<Vec<DVec2>>,
+    pub stand: Collider,
+    pub crouch: Collider,
+    pub tuning: Motion,
+}
+
+/// Gravity 30 and nothing else: no control, no limits.
+pub fn plain() -> Motion {
+    Motion {
+        gravity: 30.0,
+        run_speed: 5.0,
+        run_accel: 0.0,
+        run_brake: 0.0,
+        over_speed_decay: 0.0,
+        air_accel: 0.0,
+        air_brake: 0.0,
+        jump_speed: 12.0,
+        jump_cut_speed: 1e9,
+        apex_gravity: 1.0,
+        fall_speed: 1e12,
+        fast_fall_speed: 1e12,
+        fast_fall_gravity: 1.0,
+        joint_stick: 0.0,
+        ..Motion::default()
+    }
+}
+
+pub fn v(x: f64, y: f64) -> DVec2 {
+    DVec2::new(x, y)
+}
+
+/// A box collider about the middle of its foot.
+pub fn box_collider(half: f64, tall: f64) -> Collider {
+    let corners = [v(-half, 0.0), v(half, 0.0), v(half, tall), v(-half, tall)];
+    Collider::new(corners.map(|p| Point::snap(p).unwrap()).to_vec()).unwrap()
+}
+
+impl Scene {
+    /// The point P.
+    pub fn point() -> Scene {
+        Scene { solids: Vec::new(), stand: Collider::point(), crouch: Collider::point(), tuning: plain() }
+    }
+
+    /// The box B.
+    pub fn boxed() -> Scene {
+        let b = box_collider(HALF, TALL);
+        Scene { stand: b.clone(), crouch: b, ..Scene::point() }
+    }
+
+    pub fn tune(mut self, change: impl Fn(&mut Motion)) -> Scene {
+        change(&mut self.tuning);
+        self
+    }
+
+    pub fn solid(mut self, outline: &[(f64, f64)]) -> Scene {
+        self.solids.push(outline.iter().map(|&(x, y)| v(x, y)).collect());
+        self
+    }
+
+    pub fn rect(self, x: (f64, f64), y: (f64, f64)) -> Scene {
+        self.solid(&[(x.0, y.0), (x.1, y.0), (x.1, y.1), (x.0, y.1)])
+    }
+
+    /// Under a polyline from left to right, down to a depth.
+    pub fn under(self, top: &[(f64, f64)], bottom: f64) -> Scene {
+        let (first, last) = (top[0], top[top.len() - 1]);
+        let mut outline = vec![(first.0, bottom), (last.0, bottom)];
+        outline.extend(top.iter().rev());
+        self.solid(&outline)
+    }
+
+    pub fn mesh(&self, variant: Variant, collider: &Collider) -> Mesh {
+        let snap = |solid: &Vec<DVec2>| {
+            let mut outline: Vec<_> = solid.iter().map(|&p| Point::snap(variant.there(p)).unwrap()).collect();
+            if variant == Variant::Mirrored {
+                outline.reverse();
+            }
+            outline
+        };
+        let features: Vec<_> = self.solids.iter().map(|s| expand(&snap(s), collider)).collect();
+        Mesh::build(&features).unwrap()
+    }
+
+    /// Runs a test on the scene in all variants.
+    pub fn each(&self, test: impl Fn(&mut Run)) {
+        for variant in [Variant::Plain, Variant::Mirrored, Variant::Shifted] {
+            self.with(variant, &test);
+        }
+    }
+
+    /// Runs a test on the scene in one variant.
+    pub fn with(&self, variant: Variant, test: &impl Fn(&mut Run)) {
+        let (stand, crouch) = (self.mesh(variant, &self.stand), self.mesh(variant, &self.crouch));
+        let terrain = Terrain { stand: &stand, crouch: &crouch, tuning: &self.tuning };
+        test(&mut Run { variant, terrain, body: None, trace: Trace::default(), control: Control::default() });
+    }
+}
+
+/// A body in a scene; coordinates in and out are those of the plain variant.
+pub struct Run<'a> {
+    pub variant: Variant,
+    pub terrain: Terrain<'a>,
+    body: Option<Body>,
+    pub trace: Trace,
+    control: Control,
+}
+
+impl Run<'_> {
+    /// Puts the reference point of a new body somewhere, at time 0.
+    pub fn spawn(&mut self, x: f64, y: f64) -> &mut Self {
+        self.body = Some(Body::spawn(self.variant.there(v(x, y)), 0.0, &self.terrain).unwrap());
+        self.control = Control::default();
+        self.trace.clear();
+        self.advance(0.0)
+    }
+
+    pub fn body(&self) -> &Body {
+        self.body.as_ref().unwrap()
+    }
+
+    pub fn velocity(&mut self, x: f64, y: f64) -> &mut Self {
+        let velocity = self.variant.velocity(v(x, y));
+        self.body.as_mut().unwrap().set_velocity(velocity, &self.terrain, &mut self.trace);
+        self
+    }
+
+    /// Walks: the tangential speed and the wish for it.
+    pub fn walk(&mut self, speed: f64) -> &mut Self {
+        self.advance(self.time());
+        assert!(self.supported(), "must stand to walk");
+        let normal = self.body().normal();
+        let tangent = v(normal.y, -normal.x) * if self.variant == Variant::Mirrored { -1.0 } else { 1.0 };
+        let velocity = tangent * speed;
+        self.body.as_mut().unwrap().set_velocity(velocity, &self.terrain, &mut self.trace);
+        self.hold(speed.signum())
+    }
+
+    pub fn control(&mut self, control: Control) -> &mut Self {
+        self.control = control;
+        let run = if self.variant == Variant::Mirrored { -control.run } else { control.run };
+        self.body.as_mut().unwrap().apply(Control { run, ..control }, &self.terrain, &mut self.trace);
+        self
+    }
+
+    pub fn hold(&mut self, run: f64) -> &mut Self {
+        self.control(Control { run, ..self.control })
+    }
+
+    pub fn jump(&mut self, jump: bool) -> &mut Self {
+        self.control(Control { jump, ..self.control })
+    }
+
+    pub fn down(&mut self, down: bool) -> &mut Self {
+        self.control(Control { down, ..self.control })
+    }
+
+    /// Moves up to a time and checks the invariants there.
+    pub fn advance(&mut self, to: f64) -> &mut Self {
+        let body = self.body.as_mut().unwrap();
+        let mut step = Trace::default();
+        body.advance(to, &self.terrain, &mut step);
+        check(body, &self.terrain, &step).unwrap();
+        self.trace.events.extend(step.events);
+        self.trace.crossed += step.crossed;
+        self.trace.passed += step.passed;
+        self
+    }
+
+    /// Moves on by a number of ticks.
+    pub fn ticks(&mut self, ticks: u32, rate: f64) -> &mut Self {
+        let start = (self.time() * rate).round();
+        for tick in 1..=ticks {
+            self.advance((start + f64::from(tick)) / rate);
+        }
+        self
+    }
+
+    pub fn time(&self) -> f64 {
+        self.body().time()
+    }
+
+    pub fn at(&self) -> DVec2 {
+        self.variant.back(self.body().position())
+    }
+
+    pub fn speed(&self) -> DVec2 {
+        self.variant.velocity(self.body().velocity())
+    }
+
+    pub fn supported(&self) -> bool {
+        self.body().supported()
+    }
+
+    pub fn crouched(&self) -> bool {
+        self.body().size() == Size::Crouch
+    }
+
+    pub fn airborne(&self) -> bool {
+        matches!(self.body().mode(), Mode::Air(_))
+    }
+
+    pub fn kinds(&self) -> Vec<EventKind> {
+        self.trace.events.iter().map(|e| e.kind).collect()
+    }
+
+    /// The time of the first event of a kind.
+    pub fn when(&self, kind: impl Fn(EventKind) -> bool) -> f64 {
+        self.trace.events.iter().find(|e| kind(e.kind)).unwrap_or_else(|| panic!("no such event in {:?}", self.trace.events)).time
+    }
+
+    /// Position to a tolerance; in the shifted variant no closer than the coordinates allow.
+    pub fn near(&self, x: f64, y: f64, tolerance: f64) -> &Self {
+        let tolerance = if self.variant == Variant::Shifted { tolerance.max(1e-11) } else { tolerance };
+        let off = (self.at() - v(x, y)).abs();
+        assert!(off.max_element() <= tolerance, "{:?}: {} is {off} from ({x}, {y})", self.variant, self.at());
+        self
+    }
+
+    /// Not one bit changes, position and velocity, over ticks at 60 Hz.
+    pub fn frozen(&mut self, ticks: u32) -> &mut Self {
+        let before = (self.body().position().to_array().map(f64::to_bits), self.body().velocity());
+        self.ticks(ticks, 60.0);
+        assert_eq!((self.body().position().to_array().map(f64::to_bits), self.body().velocity()), before);
+        self
+    }
+}
+
+/// A number to a tolerance.
+pub fn close(a: f64, b: f64, tolerance: f64) {
+    assert!((a - b).abs() <= tolerance, "{a} is {:e} from {b}", (a - b).abs());
+}
