@@ -3,6 +3,9 @@
 //! Parsing touches nothing but its arguments, so that every refusal can be tested without a window.
 
 pub mod files;
+pub mod headless;
+pub mod load;
+pub mod summary;
 pub mod tuning;
 
 use lexopt::Arg;

@@ -1,3 +1,45 @@
-//! The game's program.
+//! The game's program: understands its arguments, then plays.
 
-fn main() {}
+use edgewalker::cli::{self, Command, Options};
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    let result = match cli::parse(std::env::args_os().skip(1)) {
+        Ok(Command::Help) => print(cli::HELP.trim_end()),
+        Ok(Command::Version) => print(concat!("edgewalker ", env!("CARGO_PKG_VERSION"))),
+        Ok(Command::Headless { replay }) => cli::headless::play(&replay)
+            .map_err(|e| e.to_string())
+            .and_then(|summary| print(&summary.to_string())),
+        Ok(Command::Window(options)) => play(&options),
+        Err(error) => {
+            eprintln!("edgewalker: {error}\nTry `edgewalker --help`.");
+            return ExitCode::from(2);
+        }
+    };
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(reason) => {
+            eprintln!("edgewalker: {reason}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// To the terminal, or to a reader who may have gone.
+fn print(text: &str) -> Result<(), String> {
+    use std::io::Write;
+    match writeln!(std::io::stdout(), "{text}") {
+        Err(e) if e.kind() != std::io::ErrorKind::BrokenPipe => Err(e.to_string()),
+        _ => Ok(()),
+    }
+}
+
+#[cfg(feature = "shell")]
+fn play(options: &Options) -> Result<(), String> {
+    edgewalker::shell::run(options).map_err(|e| e.to_string())
+}
+
+#[cfg(not(feature = "shell"))]
+fn play(_: &Options) -> Result<(), String> {
+    Err("this build has no window: it plays replays only (--headless --replay FILE)".into())
+}

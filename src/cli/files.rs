@@ -1,7 +1,7 @@
 //! Files as the program touches them: found in three places, read whole, written whole or not at all.
 
+use crate::level;
 use std::fs;
-use std::io::Write;
 use std::path::{Path, PathBuf};
 
 /// What went wrong with which file.
@@ -72,17 +72,7 @@ pub fn write_atomic(path: &Path, content: &[u8]) -> Result<(), FileError> {
     if path.is_dir() {
         return Err(FileError::new(path, "is a directory, not a file"));
     }
-    let temporary = temporary_beside(path);
-    let write = || {
-        let mut file = fs::File::create(&temporary)?;
-        file.write_all(content)?;
-        file.sync_all()?;
-        fs::rename(&temporary, path)
-    };
-    write().map_err(|e: std::io::Error| {
-        let _ = fs::remove_file(&temporary); // it may not even exist
-        FileError::new(path, io_reason(&e))
-    })
+    level::write_atomically(path, content).map_err(|e| FileError::new(path, io_reason(&e)))
 }
 
 /// Finds out now whether [`write_atomic`] could write there later.

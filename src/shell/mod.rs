@@ -1,3 +1,83 @@
-//! The shell: window, picture, overlay.
+//! The shell: window, input, picture, overlay. Everything that needs SDL2, OpenGL or ImGui is in this folder.
+//!
+//! In reading order: [`app`] (the frame, as a sequence), [`platform`] (the window), [`input`] and [`pads`] (devices),
+//! [`clock`] (time to ticks), [`play`] (a world being played), [`edits`] (what the overlay may ask for),
+//! [`reload`] (files that change), [`capture`] (pictures as files), [`overlay`] (panels, drawings, heads-up
+//! display), [`render`] (the picture).
 
+pub mod app;
+pub mod capture;
+pub mod clock;
+pub mod edits;
+pub mod input;
+pub mod levels;
+pub mod notices;
+pub mod overlay;
+pub mod pads;
+pub mod platform;
+pub mod play;
+pub mod reload;
 pub mod render;
+pub mod runs;
+
+use crate::cli::files::FileError;
+use crate::cli::load::LoadError;
+use crate::cli::{Options, Screenshot};
+
+/// Why there is no game, or no longer one.
+#[derive(Debug)]
+pub enum ShellError {
+    /// No display, no OpenGL, no events.
+    Platform(String),
+    /// A file that was asked for.
+    File(FileError),
+    /// The level, or the replay.
+    Load(LoadError),
+    /// The replay is shorter than was asked for.
+    Replay(String),
+    /// The picture.
+    Render(render::RenderError),
+}
+
+impl std::fmt::Display for ShellError {
+    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+        match self {
+            ShellError::Platform(reason) | ShellError::Replay(reason) => f.write_str(reason),
+            ShellError::File(error) => error.fmt(f),
+            ShellError::Load(error) => error.fmt(f),
+            ShellError::Render(error) => error.fmt(f),
+        }
+    }
+}
+
+impl std::error::Error for ShellError {}
+
+impl From<FileError> for ShellError {
+    fn from(error: FileError) -> Self {
+        ShellError::File(error)
+    }
+}
+
+impl From<LoadError> for ShellError {
+    fn from(error: LoadError) -> Self {
+        ShellError::Load(error)
+    }
+}
+
+impl From<render::RenderError> for ShellError {
+    fn from(error: render::RenderError) -> Self {
+        ShellError::Render(error)
+    }
+}
+
+/// Opens the window and plays, or takes the picture that was asked for; returns when the game is left.
+///
+/// # Errors
+/// Whatever keeps the game from starting, and a recording or picture that cannot be written.
+pub fn run(options: &Options) -> Result<(), ShellError> {
+    let mut app = app::App::open(options)?;
+    match &options.screenshot {
+        Some(Screenshot { file, at }) => app.screenshot(file, *at),
+        None => app.run(),
+    }
+}

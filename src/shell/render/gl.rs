@@ -132,6 +132,13 @@ fn bytes(words: &[u32]) -> &[u8] {
     unsafe { std::slice::from_raw_parts(words.as_ptr().cast(), size_of_val(words)) }
 }
 
+/// Looks up OpenGL's functions by name in the context that is current on this thread.
+pub fn load(find: impl FnMut(&str) -> *const std::ffi::c_void) -> glow::Context {
+    // SAFETY: the names are OpenGL's own, and SDL's look-up gives the driver's function for each, or null, which is
+    // never called.
+    unsafe { glow::Context::from_loader_function(find) }
+}
+
 impl Gl {
     /// Wraps a context that is current on this thread.
     pub fn new(ctx: Rc<glow::Context>) -> Self {

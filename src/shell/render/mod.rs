@@ -13,6 +13,7 @@ mod program;
 mod scene;
 
 pub use error::RenderError;
+pub use gl::load;
 pub use frame::{CameraPose, Frame, Line, PointLight, Tri};
 
 use crate::game::Stage;

@@ -1,0 +1,58 @@
+//! From paths to what is played: a level with its meshes, a replay.
+
+use super::files::{FileError, find, read_text};
+use crate::game::{Replay, Stage};
+use crate::level::{self, LevelError};
+use std::path::Path;
+use std::sync::Arc;
+
+/// Why a level or a replay cannot be played; names the file.
+#[derive(Debug)]
+pub enum LoadError {
+    /// The file, the replay's text or the level's meshes.
+    File(FileError),
+    /// The level's text.
+    Level(LevelError),
+}
+
+impl std::fmt::Display for LoadError {
+    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+        match self {
+            LoadError::File(error) => error.fmt(f),
+            LoadError::Level(error) => error.fmt(f),
+        }
+    }
+}
+
+impl std::error::Error for LoadError {}
+
+/// A level, ready to play.
+///
+/// # Errors
+/// The file is missing or broken, or the hero does not fit at the start.
+pub fn stage(path: &Path) -> Result<Arc<Stage>, LoadError> {
+    let level = level::load(&find(path)).map_err(LoadError::Level)?;
+    let failed = |error| LoadError::File(FileError::new(path, format!("{error}")));
+    Ok(Arc::new(Stage::build(level).map_err(failed)?))
+}
+
+/// A recorded run.
+///
+/// # Errors
+/// The file is missing, or not a replay that this program understands.
+pub fn replay(path: &Path) -> Result<Replay, LoadError> {
+    let path = find(path);
+    let text = read_text(&path).map_err(LoadError::File)?;
+    Replay::parse(&text).map_err(|error| LoadError::File(FileError::new(&path, error.to_string())))
+}
+
+/// The world of a replay at its start.
+///
+/// # Errors
+/// Its level is missing, broken, or not the one that it was recorded in.
+pub fn replay_world(path: &Path, replay: &Replay) -> Result<crate::game::World, LoadError> {
+    let stage = stage(Path::new(&replay.level))?;
+    replay
+        .world(stage)
+        .map_err(|error| LoadError::File(FileError::new(path, error.to_string())))
+}

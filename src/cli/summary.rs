@@ -1,0 +1,70 @@
+//! What a run came to: printed after a headless replay and when a game is left.
+
+use crate::game::{View, World};
+
+/// The outcome of a run, gathered tick by tick.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Summary {
+    /// The level's name.
+    pub level: String,
+    /// Ticks done, at so many per second.
+    pub ticks: u64,
+    /// Ticks per second.
+    pub tick_rate: u32,
+    /// How the run ended.
+    pub last: View,
+    /// Greatest height of the hero's foot above its start, in metres.
+    pub highest: f64,
+    /// The final state's hash.
+    pub hash: u64,
+    start: f64,
+}
+
+impl Summary {
+    /// Of a run that has not begun.
+    pub fn new(world: &World) -> Summary {
+        Summary {
+            level: world.stage().level.name.clone(),
+            ticks: world.tick(),
+            tick_rate: world.tick_rate(),
+            last: world.view(),
+            highest: 0.0,
+            hash: world.hash(),
+            start: world.stage().level.start.y,
+        }
+    }
+
+    /// Takes note of the state after a tick.
+    pub fn watch(&mut self, world: &World) {
+        self.last = world.view();
+        self.ticks = world.tick();
+        self.hash = world.hash();
+        self.highest = self.highest.max(self.last.position.y - self.start);
+    }
+}
+
+impl std::fmt::Display for Summary {
+    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+        let View {
+            time,
+            position,
+            won_at,
+            deaths,
+            ..
+        } = self.last;
+        writeln!(f, "level     {}", self.level)?;
+        writeln!(
+            f,
+            "ticks     {} at {} Hz, {time:.3} s",
+            self.ticks, self.tick_rate
+        )?;
+        writeln!(f, "position  {:.6} {:.6} m", position.x, position.y)?;
+        writeln!(f, "highest   {:.3} m above the start", self.highest)?;
+        writeln!(f, "falls     {deaths}")?;
+        match won_at {
+            Some(seconds) => writeln!(f, "goal      reached after {seconds:.3} s")?,
+            None => writeln!(f, "goal      not reached")?,
+        }
+        write!(f, "hash      {:016x}", self.hash)
+    }
+}

@@ -1,0 +1,376 @@
+//! The game as a program: one frame as a sequence, and the loop around it. The only place that reads a clock.
+
+use super::clock::{FrameLimiter, TickClock};
+use super::edits::Edit;
+use super::input::{Action, Controls};
+use super::notices::{Notices, Topic};
+use super::overlay::scene::{Drawing, MeshPicture};
+use super::overlay::stats::Stats;
+use super::overlay::{Info, Overlay};
+use super::platform::{Platform, WindowOptions};
+use super::play::Play;
+use super::reload::{Timer, Watch};
+use super::render::{CameraPose, Frame, Renderer};
+use super::runs::{Feed, Recorder};
+use super::{ShellError, capture, levels};
+use crate::cli::{Options, files};
+use crate::game::camera::Pose;
+use crate::tune::Tuning;
+use sdl2::event::{Event, EventSender, WindowEvent};
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+const SHADERS: &str = "shaders";
+/// Time per frame without vsync by wish, and of a window that nobody looks at.
+const FREE_FRAME: Duration = Duration::from_micros(4000);
+const IDLE_FRAME: Duration = Duration::from_millis(33);
+/// Frames after which ImGui's windows have found their sizes.
+const SETTLE_FRAMES: usize = 3;
+
+/// The running game.
+pub struct App {
+    /// The world that is played.
+    pub play: Play,
+    /// What the player must be told.
+    pub notices: Notices,
+    /// The panels, and what is drawn over the scene.
+    pub overlay: Overlay,
+    /// Keys and controllers.
+    pub controls: Controls,
+    pub(super) feed: Feed,
+    pub(super) recorder: Option<Recorder>,
+    pub(super) tuning: Tuning,
+    pub(super) tuning_file: Watch,
+    pub(super) level_file: Watch,
+    pub(super) seed: u64,
+    pub(super) clock: TickClock,
+    pub(super) paused: bool,
+    pub(super) scale: f64,
+    pub(super) quit: bool,
+    shader_files: Watch,
+    disk: Timer,
+    stats: Stats,
+    mesh_picture: MeshPicture,
+    renderer: Renderer,
+    wants_vsync: bool,
+    focused: bool,
+    platform: Platform, // last: what is drawn with goes before the window
+}
+
+impl App {
+    /// Loads everything and opens the window.
+    ///
+    /// # Errors
+    /// A file is missing or broken, or there is no window with OpenGL 3.3.
+    pub fn open(options: &Options) -> Result<App, ShellError> {
+        let start = super::runs::prepare(options)?;
+        let Options {
+            size,
+            fullscreen,
+            vsync,
+            ..
+        } = *options;
+        let platform = Platform::open(&WindowOptions {
+            size,
+            fullscreen,
+            vsync,
+        })?;
+        let shader_files = Watch::new(&files::find(Path::new(SHADERS)));
+        let renderer = Renderer::new(platform.gl.clone(), shader_files.path())?;
+        let mut overlay = Overlay::new(&platform)?;
+        overlay.open = options.overlay;
+        overlay.show.mesh = options.mesh;
+        let mut app = App {
+            clock: TickClock::new(start.play.world.tick_rate()),
+            play: start.play,
+            feed: start.feed,
+            recorder: start.recorder,
+            tuning: start.tuning,
+            tuning_file: start.tuning_file,
+            level_file: start.level_file,
+            seed: start.seed,
+            notices: start.notices,
+            overlay,
+            controls: Controls::default(),
+            paused: false,
+            scale: 1.0,
+            quit: false,
+            shader_files,
+            disk: Timer::default(),
+            stats: Stats::default(),
+            mesh_picture: MeshPicture::default(),
+            renderer,
+            wants_vsync: vsync,
+            focused: true,
+            platform,
+        };
+        app.show_stage();
+        Ok(app)
+    }
+
+    /// Plays until the game is left, then writes the recording and says what the run came to.
+    ///
+    /// # Errors
+    /// OpenGL fails, or the recording cannot be written.
+    pub fn run(&mut self) -> Result<(), ShellError> {
+        let mut limiter = FrameLimiter::new(self.platform.vsync);
+        let mut last = Instant::now();
+        while !self.quit {
+            let now = Instant::now();
+            self.frame(now - last)?;
+            last = now;
+            let wait = limiter.wait(now.elapsed(), self.frame_time());
+            if !wait.is_zero() {
+                std::thread::sleep(wait);
+            }
+        }
+        self.finish()
+    }
+
+    /// What is done when the game is left.
+    ///
+    /// # Errors
+    /// The recording cannot be written.
+    pub fn finish(&mut self) -> Result<(), ShellError> {
+        println!("{}", self.play.summary);
+        match self.recorder.take() {
+            Some(recorder) => recorder.write(),
+            None => Ok(()),
+        }
+    }
+
+    /// One frame, `elapsed` after the last: input, files, ticks, picture.
+    ///
+    /// # Errors
+    /// OpenGL fails.
+    pub fn frame(&mut self, elapsed: Duration) -> Result<(), ShellError> {
+        self.stats.frame.push(elapsed.as_secs_f32() * 1000.0);
+        self.notices.advance(elapsed);
+        if self.disk.is_due(elapsed) {
+            self.reload_changed();
+        }
+        self.poll_events();
+        self.advance(elapsed);
+        let edits = self.draw()?;
+        self.platform.window.gl_swap_window();
+        edits.into_iter().for_each(|edit| self.apply(edit));
+        Ok(())
+    }
+
+    /// Takes the picture of a tick without waiting for it in real time.
+    ///
+    /// # Errors
+    /// OpenGL fails, the file cannot be written, or the replay is over before that tick.
+    pub fn screenshot(&mut self, file: &Path, at: u64) -> Result<(), ShellError> {
+        files::check_writable(file)?;
+        while self.play.world.tick() < at {
+            if !self.tick() {
+                let end = self.play.world.tick();
+                return Err(ShellError::Replay(format!(
+                    "--at {at}: the replay is over at tick {end}"
+                )));
+            }
+        }
+        self.clock.settle();
+        let size = self.platform.pixels();
+        for _ in 0..SETTLE_FRAMES {
+            self.poll_events();
+            self.draw()?;
+        }
+        let pixels = self.renderer.read_pixels(size);
+        Ok(capture::write_png(file, size, &pixels)?)
+    }
+
+    /// Everything that has happened since the last frame, right before the ticks that shall react to it.
+    fn poll_events(&mut self) {
+        if self.overlay.typing() {
+            self.controls.release_keys();
+        }
+        while let Some(event) = self.platform.events.poll_event() {
+            self.overlay.handle(&event);
+            match &event {
+                Event::Quit { .. } => self.quit = true,
+                Event::Window {
+                    win_event: WindowEvent::FocusLost,
+                    ..
+                } => self.lose_focus(),
+                Event::Window {
+                    win_event: WindowEvent::FocusGained,
+                    ..
+                } => self.focused = true,
+                Event::ControllerDeviceAdded { which, .. } => self.connect(*which),
+                _ => {
+                    if let Some(action) = self.controls.handle(&event, self.overlay.typing()) {
+                        self.act(action);
+                    }
+                }
+            }
+        }
+        self.platform.take_text(self.overlay.typing());
+    }
+
+    fn connect(&mut self, index: u32) {
+        if let Err(reason) = self
+            .controls
+            .pads()
+            .connect(&self.platform.controllers, index)
+        {
+            self.notices.fail(Topic::Device, reason);
+        }
+    }
+
+    fn lose_focus(&mut self) {
+        self.focused = false;
+        self.controls.release_all();
+        self.overlay.release_all();
+        self.pause(true);
+    }
+
+    fn act(&mut self, action: Action) {
+        match action {
+            Action::Overlay => self.apply(Edit::Overlay(!self.overlay.open)),
+            Action::Fullscreen => self.apply(Edit::Fullscreen),
+            Action::Pause => self.apply(Edit::Pause(!self.paused)),
+            Action::Step => self.apply(Edit::Step),
+            Action::Slower => self.apply(Edit::Scale(self.scale / 2.0)),
+            Action::Faster => self.apply(Edit::Scale(self.scale * 2.0)),
+            Action::Quit if self.paused => self.apply(Edit::Quit),
+            Action::Quit => {}
+        }
+    }
+
+    /// The ticks that are due.
+    fn advance(&mut self, elapsed: Duration) {
+        if self.paused && self.controls.wants_retry() {
+            self.pause(false);
+        }
+        if self.paused {
+            return;
+        }
+        let due = self.clock.advance(elapsed, self.scale);
+        let begin = Instant::now();
+        let events = self.play.events;
+        let done = (0..due).take_while(|_| self.tick()).count();
+        if done > 0 {
+            self.stats
+                .tick
+                .push(begin.elapsed().as_secs_f32() * 1000.0 / done as f32);
+            let count = self.play.events - events;
+            self.stats.events.push(count as f32 / done as f32);
+        }
+        if done < due as usize {
+            self.pause(true);
+        }
+    }
+
+    /// One tick; `false` if there is no input for it, since a replay is over.
+    pub fn tick(&mut self) -> bool {
+        let Some(input) = self.feed.next(&mut self.controls) else {
+            return false;
+        };
+        if let Some(recorder) = &mut self.recorder {
+            recorder.push(input);
+        }
+        self.play.tick(input, self.controls.look(), &self.tuning);
+        true
+    }
+
+    /// A way to send events to the game as if from outside.
+    pub fn event_sender(&self) -> EventSender {
+        self.platform.event_sender()
+    }
+
+    /// The picture: the world, drawings over it, panels over those.
+    fn draw(&mut self) -> Result<Vec<Edit>, ShellError> {
+        let share = self.clock.share();
+        let (view, pose) = (self.play.view(share), self.play.pose(share, &self.tuning));
+        let drawing = match self.overlay.open || self.overlay.show.mesh {
+            true => Drawing::new(
+                self.overlay.show,
+                &self.play,
+                &self.mesh_picture,
+                &view,
+                &pose,
+            ),
+            false => Drawing::default(),
+        };
+        let frame = Frame {
+            view: &view,
+            camera: camera(&pose),
+            time: view.time,
+            lines: &drawing.lines,
+            tris: &drawing.tris,
+            show_world: !(self.overlay.open && self.overlay.show.hide_world),
+        };
+        self.renderer.draw(&frame, self.platform.pixels());
+        self.platform.show_mouse(self.overlay.open);
+        let is_over = self.feed.is_over();
+        let info = Info {
+            play: &self.play,
+            view: &view,
+            tuning: &self.tuning,
+            tuning_path: self.tuning_file.path(),
+            level_path: self.level_file.path(),
+            levels: &levels::list(),
+            mesh_size: self.mesh_picture.size(),
+            stats: &self.stats,
+            notices: &self.notices,
+            source: &self.feed.describe(self.recorder.as_ref()),
+            paused: self.paused,
+            pause_notice: (!self.overlay.open).then_some(if is_over {
+                "The replay is over"
+            } else {
+                "Paused"
+            }),
+            scale: self.scale,
+            pads: self.controls.pads().count(),
+        };
+        self.overlay.draw(&self.platform, &info)
+    }
+
+    /// Shows the stage that is played now.
+    pub(super) fn show_stage(&mut self) {
+        let stage = self.play.world.stage();
+        self.renderer.set_stage(stage);
+        self.mesh_picture = MeshPicture::new(&stage.stand, stage.level.features.len());
+    }
+
+    /// Reads again what has changed on disk; what is broken says why, and the last good state goes on.
+    fn reload_changed(&mut self) {
+        if self.tuning_file.changed() {
+            self.load_tuning();
+        }
+        if self.level_file.changed() {
+            self.reload_level();
+        }
+        if self.shader_files.changed() {
+            match self.renderer.reload_shaders() {
+                Ok(()) => self.notices.solve(Topic::Shaders),
+                Err(error) => self.notices.fail(Topic::Shaders, error),
+            }
+        }
+    }
+
+    fn frame_time(&self) -> Duration {
+        match (self.focused, self.wants_vsync) {
+            (false, _) => IDLE_FRAME,
+            (true, true) => self.platform.frame_time(),
+            (true, false) => FREE_FRAME,
+        }
+    }
+
+    pub(super) fn toggle_fullscreen(&mut self) {
+        if let Err(reason) = self.platform.toggle_fullscreen() {
+            self.notices.fail(Topic::Device, reason);
+        }
+    }
+}
+
+/// The renderer's camera, in its single precision.
+fn camera(pose: &Pose) -> CameraPose {
+    CameraPose {
+        eye: pose.eye.as_vec3(),
+        target: pose.target.as_vec3(),
+        fov_degrees: pose.fov_degrees as f32,
+    }
+}

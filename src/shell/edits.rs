@@ -1,0 +1,218 @@
+//! What the overlay, its keys and the tests may ask of the running game: plain values, applied in one place.
+
+use super::app::App;
+use super::notices::Topic;
+use super::play::Play;
+use super::reload::Watch;
+use super::runs::Feed;
+use crate::cli::{load, tuning};
+use crate::game::World;
+use crate::tune::{Camera, Meta, Motion, Tuning};
+use std::path::{Path, PathBuf};
+
+/// Slowest and fastest time, as a share of real time.
+pub const SCALES: std::ops::RangeInclusive<f64> = 0.03125..=4.0;
+
+/// A group of tunables.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Group {
+    /// How the hero moves.
+    Motion,
+    /// How the camera follows.
+    Camera,
+}
+
+impl Group {
+    /// The declarations.
+    pub fn meta(self) -> &'static [Meta] {
+        match self {
+            Group::Motion => Motion::META,
+            Group::Camera => Camera::META,
+        }
+    }
+
+    /// The values, in the order of the declarations.
+    pub fn values(self, tuning: &Tuning) -> Vec<f64> {
+        match self {
+            Group::Motion => tuning.motion.values(),
+            Group::Camera => tuning.camera.values(),
+        }
+    }
+
+    /// Sets a value, kept within its range; what is no number changes nothing.
+    fn set(self, tuning: &mut Tuning, index: usize, value: f64) {
+        let slots = match self {
+            Group::Motion => tuning.motion.values_mut(),
+            Group::Camera => tuning.camera.values_mut(),
+        };
+        if let (Some(slot), Some(meta), false) = (
+            slots.into_iter().nth(index),
+            self.meta().get(index),
+            value.is_nan(),
+        ) {
+            *slot = value.clamp(meta.min, meta.max);
+        }
+    }
+}
+
+/// Something that is asked for.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Edit {
+    /// Set a tunable, by its place in the declarations.
+    Tune {
+        /// Of which group.
+        group: Group,
+        /// Which one.
+        index: usize,
+        /// The new value.
+        value: f64,
+    },
+    /// All tunables back to their defaults.
+    ResetTuning,
+    /// Write the tuning file.
+    SaveTuning,
+    /// Read the tuning file.
+    LoadTuning,
+    /// Play another level.
+    OpenLevel(PathBuf),
+    /// Back to the start.
+    Restart,
+    /// Stop time, or let it run.
+    Pause(bool),
+    /// One tick, paused.
+    Step,
+    /// How fast time runs, as a share of real time.
+    Scale(f64),
+    /// Open or close the overlay.
+    Overlay(bool),
+    /// Into fullscreen or out of it.
+    Fullscreen,
+    /// Leave the game.
+    Quit,
+}
+
+impl App {
+    /// Does what was asked for. What fails is told to the player, and the game goes on.
+    pub fn apply(&mut self, edit: Edit) {
+        match edit {
+            Edit::Tune {
+                group,
+                index,
+                value,
+            } => {
+                let mut tuning = self.tuning.clone();
+                group.set(&mut tuning, index, value);
+                self.set_tuning(tuning);
+            }
+            Edit::ResetTuning => self.set_tuning(Tuning::default()),
+            Edit::SaveTuning => self.save_tuning(),
+            Edit::LoadTuning => self.load_tuning(),
+            Edit::OpenLevel(path) => self.open_level(&path),
+            Edit::Restart => self.controls.ask_retry(),
+            Edit::Pause(paused) => self.pause(paused),
+            Edit::Step => self.step_once(),
+            Edit::Scale(scale) => self.scale = scale.clamp(*SCALES.start(), *SCALES.end()),
+            Edit::Overlay(open) => self.overlay.open = open,
+            Edit::Fullscreen => self.toggle_fullscreen(),
+            Edit::Quit => self.quit = true,
+        }
+    }
+
+    /// The tunables.
+    pub fn tuning(&self) -> &Tuning {
+        &self.tuning
+    }
+
+    /// Whether time stands still.
+    pub fn is_paused(&self) -> bool {
+        self.paused
+    }
+
+    fn set_tuning(&mut self, tuning: Tuning) {
+        self.tuning = tuning;
+        if let Some(recorder) = &mut self.recorder
+            && recorder.retune(&self.tuning)
+        {
+            self.notices
+                .say("The recording ends here: the tuning was changed");
+        }
+    }
+
+    fn save_tuning(&mut self) {
+        let path = self.tuning_file.path().to_path_buf();
+        match tuning::save(&path, &self.tuning) {
+            Ok(()) => {
+                self.tuning_file = Watch::new(&path);
+                self.notices.say(format!("Saved to {}", path.display()));
+                self.notices.solve(Topic::Tuning);
+            }
+            Err(error) => self.notices.fail(Topic::Tuning, error),
+        }
+    }
+
+    /// Reads the tuning file; a broken one changes nothing and says why.
+    pub(super) fn load_tuning(&mut self) {
+        match tuning::load(self.tuning_file.path()) {
+            Ok(tuning) => {
+                self.set_tuning(tuning);
+                self.notices.solve(Topic::Tuning);
+                self.notices.say("Tuning loaded");
+            }
+            Err(error) => self.notices.fail(Topic::Tuning, error),
+        }
+    }
+
+    /// Plays a level from its start; a broken one is not entered.
+    fn open_level(&mut self, path: &Path) {
+        let level_file = Watch::new(path);
+        match load::stage(path) {
+            Ok(stage) => {
+                let tick_rate = self.play.world.tick_rate();
+                self.play = Play::new(World::new(stage, tick_rate, self.seed), &self.tuning);
+                self.level_file = level_file;
+                self.feed = Feed::Player;
+                self.notices.solve(Topic::Level);
+                self.enter_stage();
+            }
+            Err(error) => self.notices.fail(Topic::Level, error),
+        }
+    }
+
+    /// Goes on in the changed level, where the hero is if that place is still free.
+    pub(super) fn reload_level(&mut self) {
+        match load::stage(self.level_file.path()) {
+            Ok(stage) => {
+                self.play.replace_stage(stage);
+                self.notices.solve(Topic::Level);
+                self.notices.say("Level loaded");
+                self.enter_stage();
+            }
+            Err(error) => self.notices.fail(Topic::Level, error),
+        }
+    }
+
+    fn enter_stage(&mut self) {
+        self.show_stage();
+        if let Some(recorder) = &mut self.recorder
+            && recorder.end("the level was changed")
+        {
+            self.notices
+                .say("The recording ends here: the level was changed");
+        }
+    }
+
+    /// Stops time or lets it run; after a replay the player goes on from its end.
+    pub(super) fn pause(&mut self, paused: bool) {
+        if paused {
+            self.clock.settle();
+        } else if self.feed.is_over() {
+            self.feed = Feed::Player;
+        }
+        self.paused = paused;
+    }
+
+    fn step_once(&mut self) {
+        self.pause(true);
+        self.tick();
+    }
+}

@@ -1,0 +1,47 @@
+//! The levels there are to choose from.
+
+use crate::cli::files;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Folders with levels, those for players first.
+const FOLDERS: &[&str] = &["levels", "levels/dev"];
+
+/// All level files, by folder and name.
+pub fn list() -> Vec<PathBuf> {
+    FOLDERS
+        .iter()
+        .flat_map(|folder| in_folder(&files::find(Path::new(folder))))
+        .collect()
+}
+
+fn in_folder(folder: &Path) -> Vec<PathBuf> {
+    let Ok(entries) = fs::read_dir(folder) else {
+        return Vec::new();
+    };
+    let paths = entries.filter_map(|entry| Some(entry.ok()?.path()));
+    let mut levels: Vec<PathBuf> = paths
+        .filter(|path| path.extension().is_some_and(|e| e == "ron"))
+        .collect();
+    levels.sort();
+    levels
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_shipped_levels_are_found_in_order() {
+        let levels = list();
+        assert!(
+            levels
+                .iter()
+                .any(|path| path.ends_with("levels/dev/flat.ron"))
+        );
+        let (game, dev): (Vec<_>, Vec<_>) = levels
+            .iter()
+            .partition(|path| !path.to_string_lossy().contains("/dev/"));
+        assert!(game.is_sorted() && dev.is_sorted());
+    }
+}

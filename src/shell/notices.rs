@@ -1,0 +1,99 @@
+//! What the player must be told: problems that last until they are solved, and short notices that fade.
+
+use std::time::Duration;
+
+/// How long a notice stays.
+const STAY: Duration = Duration::from_secs(4);
+
+/// What a problem is about; one problem of each at a time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Topic {
+    /// The level file.
+    Level,
+    /// The tuning file.
+    Tuning,
+    /// The shaders.
+    Shaders,
+    /// A game controller, or the window.
+    Device,
+    /// The recording.
+    Recording,
+}
+
+impl Topic {
+    /// For people.
+    pub fn name(self) -> &'static str {
+        match self {
+            Topic::Level => "Level",
+            Topic::Tuning => "Tuning",
+            Topic::Shaders => "Shaders",
+            Topic::Device => "Device",
+            Topic::Recording => "Recording",
+        }
+    }
+}
+
+/// Everything to be told.
+#[derive(Debug, Default)]
+pub struct Notices {
+    problems: Vec<(Topic, String)>,
+    notice: Option<(String, Duration)>,
+}
+
+impl Notices {
+    /// A problem that lasts, in place of the last one about this topic.
+    pub fn fail(&mut self, topic: Topic, reason: impl ToString) {
+        self.solve(topic);
+        self.problems.push((topic, reason.to_string()));
+    }
+
+    /// There is no problem with this topic any more.
+    pub fn solve(&mut self, topic: Topic) {
+        self.problems.retain(|(t, _)| *t != topic);
+    }
+
+    /// Says something in passing.
+    pub fn say(&mut self, text: impl ToString) {
+        self.notice = Some((text.to_string(), STAY));
+    }
+
+    /// Lets time pass.
+    pub fn advance(&mut self, elapsed: Duration) {
+        self.notice = self
+            .notice
+            .take()
+            .filter(|(_, left)| *left > elapsed)
+            .map(|(t, left)| (t, left - elapsed));
+    }
+
+    /// The problems, the oldest first.
+    pub fn problems(&self) -> &[(Topic, String)] {
+        &self.problems
+    }
+
+    /// The notice, and how visible it still is: 1, then falling to 0.
+    pub fn notice(&self) -> Option<(&str, f32)> {
+        self.notice
+            .as_ref()
+            .map(|(text, left)| (text.as_str(), left.as_secs_f32().min(1.0)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_problem_stays_until_solved_and_a_notice_fades() {
+        let mut notices = Notices::default();
+        notices.fail(Topic::Level, "first");
+        notices.fail(Topic::Level, "second");
+        notices.say("saved");
+        notices.advance(Duration::from_millis(3500));
+        assert_eq!(notices.problems(), [(Topic::Level, "second".to_string())]);
+        assert_eq!(notices.notice(), Some(("saved", 0.5)));
+        notices.advance(Duration::from_secs(1));
+        notices.solve(Topic::Level);
+        assert!(notices.problems().is_empty() && notices.notice().is_none());
+    }
+}

@@ -1,0 +1,282 @@
+//! What developers see drawn over the scene: the motion mesh, the hero's place in it, contact, velocity, path.
+
+use super::MeshSize;
+use crate::game::camera::Pose;
+use crate::game::{Stance, View, World};
+use crate::mesh::{EdgeId, FaceId, Mesh};
+use crate::shell::play::Play;
+use crate::shell::render::{Line, Tri};
+use glam::{DVec2, Vec3};
+
+const FREE_EDGE: [f32; 4] = [0.75, 0.85, 1.0, 0.22];
+const WALL_EDGE: [f32; 4] = [1.0, 0.78, 0.35, 0.95];
+const INNER_EDGE: [f32; 4] = [0.62, 0.55, 0.85, 0.55];
+const SOLID: [f32; 4] = [0.95, 0.45, 0.25, 0.13];
+const FACE: [f32; 4] = [0.35, 0.95, 0.65, 0.22];
+const PLACE: [f32; 4] = [0.35, 1.0, 0.65, 1.0];
+const NORMAL: [f32; 4] = [0.35, 0.85, 1.0, 1.0];
+const VELOCITY: [f32; 4] = [1.0, 0.45, 0.75, 1.0];
+const PATH: [f32; 4] = [1.0, 1.0, 1.0, 0.75];
+
+/// Metres of arrow per m/s, and of the normal.
+const VELOCITY_SCALE: f64 = 0.15;
+const NORMAL_LENGTH: f64 = 1.0;
+/// Metres around what the camera sees in which edges are drawn as well.
+const MARGIN: f64 = 2.0;
+/// Widest picture that is provided for, as width over height.
+const ASPECT: f64 = 2.4;
+
+/// What is drawn.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Show {
+    /// The motion mesh: edges, and a tint on solid faces.
+    pub mesh: bool,
+    /// The face that the hero is in, or the edge or vertex he is on.
+    pub place: bool,
+    /// The normal of the ground or wall in contact.
+    pub contact: bool,
+    /// The velocity.
+    pub velocity: bool,
+    /// The path of the last second.
+    pub path: bool,
+    /// Not the world: the drawings alone.
+    pub hide_world: bool,
+}
+
+/// A mesh put ready for drawing, made once per mesh.
+#[derive(Default)]
+pub struct MeshPicture {
+    edges: Vec<(DVec2, DVec2, Kind)>,
+    solid: Vec<[DVec2; 3]>,
+    size: MeshSize,
+}
+
+/// What an edge is to a body.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Kind {
+    Free,
+    Inner,
+    Blocking,
+}
+
+impl MeshPicture {
+    /// All of a mesh; edges in the order in which they are drawn, the blocking ones last and so on top.
+    pub fn new(mesh: &Mesh, features: usize) -> MeshPicture {
+        let mut picture = MeshPicture::default();
+        for face in mesh.faces() {
+            if mesh.is_solid(face) {
+                picture.solid.push(mesh.corners(face).map(|p| p.metres()));
+            }
+            picture.edges.extend(
+                face_edges(mesh, face)
+                    .filter(|e| is_first(mesh, *e))
+                    .map(|e| describe(mesh, e)),
+            );
+        }
+        picture.edges.sort_by_key(|(_, _, kind)| *kind);
+        let (faces, edges) = (mesh.faces().count(), picture.edges.len());
+        // Euler: a triangulated disc has one vertex more than it has edges beyond its faces.
+        let vertices = (edges + 1).saturating_sub(faces);
+        picture.size = MeshSize {
+            vertices,
+            edges,
+            faces,
+            solid: picture.solid.len(),
+            features,
+        };
+        picture
+    }
+
+    /// How much there is of the mesh.
+    pub fn size(&self) -> MeshSize {
+        self.size
+    }
+
+    fn draw(&self, window: (DVec2, DVec2), out: &mut Drawing) {
+        for corners in self.solid.iter().filter(|corners| meets(window, *corners)) {
+            out.tris.push(Tri {
+                corners: corners.map(at),
+                colour: SOLID,
+            });
+        }
+        for (a, b, kind) in self
+            .edges
+            .iter()
+            .filter(|(a, b, _)| meets(window, &[*a, *b]))
+        {
+            let (colour, width) = match kind {
+                Kind::Free => (FREE_EDGE, 1.0),
+                Kind::Inner => (INNER_EDGE, 1.5),
+                Kind::Blocking => (WALL_EDGE, 3.0),
+            };
+            out.lines.push(Line {
+                a: at(*a),
+                b: at(*b),
+                colour,
+                width,
+            });
+        }
+    }
+}
+
+/// The three edges that have a face on their left.
+fn face_edges(mesh: &Mesh, face: FaceId) -> impl Iterator<Item = EdgeId> + '_ {
+    let first = mesh.face_edge(face);
+    let second = mesh.lnext(first);
+    [first, second, mesh.lnext(second)].into_iter()
+}
+
+/// Of the two directions of an edge, the one that is drawn.
+fn is_first(mesh: &Mesh, edge: EdgeId) -> bool {
+    let other = mesh.sym(edge);
+    edge < other || mesh.left(other).is_none()
+}
+
+fn describe(mesh: &Mesh, edge: EdgeId) -> (DVec2, DVec2, Kind) {
+    let end = |v| mesh.point(v).metres();
+    let kind = if mesh.blocks(edge) || mesh.blocks(mesh.sym(edge)) {
+        Kind::Blocking
+    } else if mesh.uses(edge).next().is_some() {
+        Kind::Inner
+    } else {
+        Kind::Free
+    };
+    (end(mesh.origin(edge)), end(mesh.dest(edge)), kind)
+}
+
+/// Lines and triangles for the renderer.
+#[derive(Default)]
+pub struct Drawing {
+    /// Lines, drawn in their order.
+    pub lines: Vec<Line>,
+    /// Triangles, drawn below the lines.
+    pub tris: Vec<Tri>,
+}
+
+impl Drawing {
+    /// Everything that shall be shown of this moment.
+    pub fn new(
+        show: Show,
+        play: &Play,
+        picture: &MeshPicture,
+        view: &View,
+        pose: &Pose,
+    ) -> Drawing {
+        let mut out = Drawing::default();
+        if show.mesh {
+            picture.draw(window(pose), &mut out);
+        }
+        if show.place {
+            out.place(&play.world);
+        }
+        if show.path {
+            out.path(play, view);
+        }
+        if show.velocity {
+            out.arrow(view.position, view.velocity * VELOCITY_SCALE, VELOCITY);
+        }
+        if show.contact && view.stance != Stance::Air {
+            out.arrow(view.position, view.normal * NORMAL_LENGTH, NORMAL);
+        }
+        out
+    }
+
+    fn place(&mut self, world: &World) {
+        let (mesh, hero) = (world.mesh(), world.hero());
+        let corners = mesh.corners(hero.face(mesh)).map(|p| at(p.metres()));
+        self.tris.push(Tri {
+            corners,
+            colour: FACE,
+        });
+        match hero.edge() {
+            Some(edge) => self.edge(mesh, edge),
+            None if world.view().stance == Stance::Wedge => self.cross(hero.position()),
+            None => {}
+        }
+    }
+
+    fn edge(&mut self, mesh: &Mesh, edge: EdgeId) {
+        let (a, b, _) = describe(mesh, edge);
+        self.line(a, b, PLACE, 5.0);
+    }
+
+    fn cross(&mut self, p: DVec2) {
+        for d in [DVec2::new(0.2, 0.2), DVec2::new(0.2, -0.2)] {
+            self.line(p - d, p + d, PLACE, 5.0);
+        }
+    }
+
+    fn path(&mut self, play: &Play, view: &View) {
+        let points: Vec<DVec2> = play
+            .trail()
+            .iter()
+            .copied()
+            .chain([view.position])
+            .collect();
+        for (index, pair) in points.windows(2).enumerate() {
+            let age = index as f32 / points.len() as f32;
+            let [r, g, b, a] = PATH;
+            self.line(pair[0], pair[1], [r, g, b, a * age], 2.0);
+        }
+    }
+
+    fn arrow(&mut self, from: DVec2, along: DVec2, colour: [f32; 4]) {
+        let to = from + along;
+        self.line(from, to, colour, 3.0);
+        let Some(direction) = along.try_normalize() else {
+            return;
+        };
+        for side in [direction.perp(), -direction.perp()] {
+            self.line(to, to + (side - direction * 1.6) * 0.12, colour, 3.0);
+        }
+    }
+
+    fn line(&mut self, a: DVec2, b: DVec2, colour: [f32; 4], width: f32) {
+        self.lines.push(Line {
+            a: at(a),
+            b: at(b),
+            colour,
+            width,
+        });
+    }
+}
+
+/// The part of the plane of play that a camera may see, with a margin: lower left, upper right.
+fn window(pose: &Pose) -> (DVec2, DVec2) {
+    let half = DVec2::from_angle((pose.fov_degrees / 2.0).to_radians());
+    let height = pose.eye.distance(pose.target) * half.y / half.x;
+    let reach = DVec2::new(height * ASPECT, height) + MARGIN;
+    let middle = pose.target.truncate();
+    (middle - reach, middle + reach)
+}
+
+/// Whether the box around some points meets the window.
+fn meets((low, high): (DVec2, DVec2), points: &[DVec2]) -> bool {
+    let (min, max) = points
+        .iter()
+        .fold((points[0], points[0]), |(a, b), p| (a.min(*p), b.max(*p)));
+    min.cmple(high).all() && max.cmpge(low).all()
+}
+
+/// A point of the plane of play in space.
+fn at(p: DVec2) -> Vec3 {
+    p.as_vec2().extend(0.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_near_the_camera_is_drawn_even_if_its_corners_are_far() {
+        let near = (DVec2::ZERO, DVec2::ONE);
+        assert!(meets(
+            near,
+            &[DVec2::new(-100.0, 0.5), DVec2::new(100.0, 0.5)]
+        ));
+        assert!(!meets(
+            near,
+            &[DVec2::new(2.0, 0.5), DVec2::new(100.0, 0.5)]
+        ));
+    }
+}

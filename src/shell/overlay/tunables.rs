@@ -1,0 +1,161 @@
+//! One row per tunable, made from its declaration: name, slider or choice, unit, sentence, reset.
+
+use super::style::{ACCENT, FAINT, size};
+use crate::shell::edits::{Edit, Group};
+use crate::tune::{Camera, Meta, Motion, Tuning};
+use imgui::{SliderFlags, Ui};
+use std::path::Path;
+
+/// Ranges so wide that small values need more of the slider.
+const WIDE: f64 = 100.0;
+
+/// The buttons over the rows, and the filter.
+pub fn file_bar(ui: &Ui, tuning: &Tuning, path: &Path, edits: &mut Vec<Edit>) {
+    let changed = changes(tuning);
+    for (label, edit, tip) in [
+        (
+            "Save",
+            Edit::SaveTuning,
+            "Write the changed values to the file.",
+        ),
+        ("Load", Edit::LoadTuning, "Read the values from the file."),
+        ("Reset all", Edit::ResetTuning, "Back to the defaults."),
+    ] {
+        if ui.button(label) {
+            edits.push(edit);
+        }
+        if ui.is_item_hovered() {
+            ui.tooltip_text(tip);
+        }
+        ui.same_line();
+    }
+    ui.text_colored(
+        if changed > 0 { ACCENT } else { FAINT },
+        format!("{changed} changed"),
+    );
+    ui.text_colored(FAINT, path.display().to_string());
+}
+
+/// How many values differ from their defaults.
+fn changes(tuning: &Tuning) -> usize {
+    let count = |meta: &[Meta], values: Vec<f64>| {
+        meta.iter()
+            .zip(values)
+            .filter(|(meta, value)| meta.default != *value)
+            .count()
+    };
+    count(Motion::META, tuning.motion.values()) + count(Camera::META, tuning.camera.values())
+}
+
+/// The rows of a group, those whose name or sentence contains the filter.
+pub fn rows(ui: &Ui, group: Group, tuning: &Tuning, filter: &str, edits: &mut Vec<Edit>) {
+    let filter = filter.trim().to_lowercase();
+    for (index, (meta, value)) in group.meta().iter().zip(group.values(tuning)).enumerate() {
+        if !meta.name.contains(&filter) && !meta.sentence.to_lowercase().contains(&filter) {
+            continue;
+        }
+        let _id = ui.push_id_usize(index);
+        if let Some(value) = row(ui, meta, value) {
+            edits.push(Edit::Tune {
+                group,
+                index,
+                value,
+            });
+        }
+    }
+}
+
+/// One row; the new value, if it was changed.
+fn row(ui: &Ui, meta: &Meta, value: f64) -> Option<f64> {
+    let is_changed = value != meta.default;
+    ui.align_text_to_frame_padding();
+    let name = meta.name.replace('_', " ");
+    if is_changed {
+        ui.text_colored(ACCENT, name);
+    } else {
+        ui.text(name);
+    }
+    explain(ui, meta);
+    let reset = size(ui, 1.6);
+    ui.same_line_with_pos(size(ui, 9.6));
+    ui.set_next_item_width(ui.content_region_avail()[0] - reset - size(ui, 0.4));
+    let edited = if meta.choices.is_empty() {
+        slider(ui, meta, value)
+    } else {
+        choice(ui, meta, value)
+    };
+    explain(ui, meta);
+    if !is_changed {
+        return edited;
+    }
+    ui.same_line();
+    let was_reset = ui.button_with_size("×", [reset, 0.0]);
+    if ui.is_item_hovered() {
+        ui.tooltip_text(format!("Back to {}", meta.default));
+    }
+    if was_reset {
+        Some(meta.default)
+    } else {
+        edited
+    }
+}
+
+/// What a tunable does, where the mouse is.
+fn explain(ui: &Ui, meta: &Meta) {
+    if !ui.is_item_hovered() {
+        return;
+    }
+    ui.tooltip(|| {
+        let _wrap = ui.push_text_wrap_pos_with_pos(size(ui, 24.0));
+        ui.text(meta.sentence);
+        if meta.choices.is_empty() {
+            let Meta {
+                min, max, default, ..
+            } = meta;
+            ui.text_colored(
+                FAINT,
+                format!("{min} to {max} {}, usually {default}", unit(meta)),
+            );
+            ui.text_colored(FAINT, "Ctrl-click to type a number.");
+        } else {
+            ui.text_colored(
+                FAINT,
+                format!("usually {}", meta.choices[meta.default as usize]),
+            );
+        }
+    });
+}
+
+fn slider(ui: &Ui, meta: &Meta, value: f64) -> Option<f64> {
+    let range = meta.max - meta.min;
+    let digits = if range <= 2.0 {
+        3
+    } else if range <= 40.0 {
+        2
+    } else {
+        1
+    };
+    let wide = if range >= WIDE && meta.min >= 0.0 {
+        SliderFlags::LOGARITHMIC
+    } else {
+        SliderFlags::empty()
+    };
+    let mut edited = value;
+    let has_changed = ui
+        .slider_config("##value", meta.min, meta.max)
+        .display_format(format!("%.{digits}f {}", unit(meta)))
+        .flags(SliderFlags::ALWAYS_CLAMP | wide)
+        .build(&mut edited);
+    has_changed.then_some(edited)
+}
+
+fn choice(ui: &Ui, meta: &Meta, value: f64) -> Option<f64> {
+    let mut index = (value.round() as usize).min(meta.choices.len() - 1);
+    let has_changed = ui.combo_simple_string("##value", &mut index, meta.choices);
+    has_changed.then_some(index as f64)
+}
+
+/// The unit as it is printed.
+fn unit(meta: &Meta) -> String {
+    meta.unit.replace("^2", "²").replace("degrees", "°")
+}

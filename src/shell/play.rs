@@ -1,0 +1,109 @@
+//! A world being played: where its inputs come from, and what is remembered for the picture between two ticks.
+
+use crate::cli::summary::Summary;
+use crate::game::camera::{CameraState, Pose};
+use crate::game::{Input, Stage, View, World};
+use crate::tune::Tuning;
+use glam::DVec2;
+use std::collections::VecDeque;
+use std::sync::Arc;
+
+/// Seconds of the hero's path that are kept to be drawn.
+const TRAIL: u32 = 1;
+
+/// A world, the moment before it, and the camera's.
+pub struct Play {
+    /// The simulation.
+    pub world: World,
+    /// What the run has come to.
+    pub summary: Summary,
+    /// Motion events of the run so far.
+    pub events: u64,
+    /// Simulated time of the last start or restart.
+    pub began_at: f64,
+    before: View,
+    now: View,
+    camera: CameraState,
+    pose_before: Pose,
+    pose: Pose,
+    trail: VecDeque<DVec2>,
+}
+
+impl Play {
+    /// A world at its present tick.
+    pub fn new(world: World, tuning: &Tuning) -> Play {
+        let now = world.view();
+        let camera = CameraState::new(&now);
+        let pose = camera.pose(&tuning.camera);
+        let summary = Summary::new(&world);
+        let trail = VecDeque::from([now.position]);
+        let (events, began_at) = (0, now.time);
+        Play {
+            world,
+            summary,
+            events,
+            began_at,
+            before: now,
+            now,
+            camera,
+            pose_before: pose,
+            pose,
+            trail,
+        }
+    }
+
+    /// One tick; `look` is where the player asks to look, from -1 (down) to 1 (up).
+    pub fn tick(&mut self, input: Input, look: f64, tuning: &Tuning) {
+        self.world.step(input, tuning);
+        self.summary.watch(&self.world);
+        self.events += self.world.trace().events.len() as u64;
+        self.before = std::mem::replace(&mut self.now, self.world.view());
+        self.camera.step(
+            &self.now,
+            look,
+            &tuning.camera,
+            1.0 / f64::from(self.world.tick_rate()),
+        );
+        self.pose_before = std::mem::replace(&mut self.pose, self.camera.pose(&tuning.camera));
+        if self.now.is_cut_from(&self.before) {
+            self.pose_before = self.pose;
+            self.trail.clear();
+        }
+        if input.retry || self.now.deaths != self.before.deaths {
+            self.began_at = self.now.time;
+        }
+        self.trail.push_back(self.now.position);
+        let surplus = self
+            .trail
+            .len()
+            .saturating_sub((TRAIL * self.world.tick_rate()) as usize);
+        self.trail.drain(..surplus);
+    }
+
+    /// Goes on in a changed level.
+    pub fn replace_stage(&mut self, stage: Arc<Stage>) {
+        self.world.replace_stage(stage);
+        self.before = self.world.view();
+        self.now = self.before;
+    }
+
+    /// The view at a share (0 to 1) of the way from the last tick but one to the last.
+    pub fn view(&self, share: f64) -> View {
+        self.now.since(&self.before, share)
+    }
+
+    /// Where the picture is taken from, at such a share; the tunables of the pose act at once, paused or not.
+    pub fn pose(&self, share: f64, tuning: &Tuning) -> Pose {
+        let settled = self.camera.pose(&tuning.camera);
+        if settled == self.pose {
+            self.pose.since(&self.pose_before, share)
+        } else {
+            settled
+        }
+    }
+
+    /// Where the hero was at the ticks of the last second, the oldest first.
+    pub fn trail(&self) -> &VecDeque<DVec2> {
+        &self.trail
+    }
+}

@@ -1,0 +1,348 @@
+//! The program from outside: exit status and message for everything that can be wrong with what it is given.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+const PROGRAM: &str = env!("CARGO_BIN_EXE_edgewalker");
+
+/// A folder of its own for one test, gone at its end.
+struct Folder(PathBuf);
+
+impl Folder {
+    fn new(name: &str) -> Folder {
+        let path =
+            std::env::temp_dir().join(format!("edgewalker-cli-{name}-{}", std::process::id()));
+        fs::create_dir_all(&path).unwrap();
+        Folder(path)
+    }
+
+    fn write(&self, name: &str, text: &str) -> String {
+        let path = self.0.join(name);
+        fs::write(&path, text).unwrap();
+        path.to_str().unwrap().to_owned()
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        let _ = fs::remove_dir_all(&self.0);
+    }
+}
+
+fn program(args: &[&str]) -> Command {
+    let mut command = Command::new(PROGRAM);
+    command.args(args).current_dir(env!("CARGO_MANIFEST_DIR"));
+    command
+        .env("SDL_VIDEODRIVER", "offscreen")
+        .env("SDL_AUDIODRIVER", "dummy");
+    command
+}
+
+/// Runs it and expects this exit status, and all these words in the message; no panic, whatever happens.
+fn expect(mut command: Command, status: i32, words: &[&str]) -> String {
+    let Output {
+        status: found,
+        stdout,
+        stderr,
+    } = command.output().unwrap();
+    let message = String::from_utf8_lossy(&stderr).into_owned();
+    assert_eq!(found.code(), Some(status), "{command:?}: {message}");
+    assert!(!message.contains("panicked"), "{command:?}: {message}");
+    for word in words {
+        assert!(
+            message.contains(word),
+            "{command:?}: no `{word}` in: {message}"
+        );
+    }
+    String::from_utf8_lossy(&stdout).into_owned()
+}
+
+/// A level file, with its features put in.
+fn level(features: &str) -> String {
+    format!(
+        "Level(\n  version: 1,\n  name: \"Broken\",\n  start: (0.0, 0.0),\n  \
+         goal: (min: (5.0, 0.0), max: (6.0, 2.0)),\n  bottom: -10.0,\n  features: [\n{features}\n  ],\n)\n"
+    )
+}
+
+fn block(corners: &str) -> String {
+    level(&format!(
+        "    (id: \"block\", material: Rock, outline: [{corners}]),"
+    ))
+}
+
+/// What can be wrong with a level, and what the message must name.
+fn broken_levels() -> Vec<(&'static str, String, Vec<&'static str>)> {
+    let square = "(-9.0, -1.0), (9.0, -1.0), (9.0, 0.0), (-9.0, 0.0)";
+    let good = block(square);
+    vec![
+        ("empty", String::new(), vec!["empty.ron"]),
+        (
+            "truncated",
+            good[..good.len() / 2].to_owned(),
+            vec!["truncated.ron"],
+        ),
+        (
+            "nan",
+            block(&square.replace("9.0, 0.0", "9.0, NaN")),
+            vec!["nan.ron", ":8", "block", "outline"],
+        ),
+        (
+            "huge",
+            block(&square.replace("(9.0, 0.0)", "(1e300, 0.0)")),
+            vec!["huge.ron", ":8", "block", "outline"],
+        ),
+        (
+            "crossing",
+            block("(-9.0, -1.0), (9.0, 0.0), (9.0, -1.0), (-9.0, 0.0)"),
+            vec!["crossing.ron", ":8", "block", "outline"],
+        ),
+        (
+            "unknown",
+            good.replace("bottom:", "bottum:"),
+            vec!["unknown.ron", ":6", "bottum"],
+        ),
+        (
+            "twice",
+            level(&format!("    (id: \"a\", material: Rock, outline: [{square}]),\n").repeat(2)),
+            vec!["twice.ron", ":9", "a"],
+        ),
+    ]
+}
+
+#[test]
+fn broken_levels_are_refused_by_file_line_and_field() {
+    let folder = Folder::new("levels");
+    for (name, text, words) in broken_levels() {
+        let path = folder.write(&format!("{name}.ron"), &text);
+        let replay = format!(
+            "(version: 1, level: \"{path}\", fingerprint: \"0\", tick_rate: 120, seed: 0, tuning: (), inputs: [])"
+        );
+        let replay = folder.write(&format!("{name}.replay"), &replay);
+        expect(program(&["--headless", "--replay", &replay]), 1, &words);
+        if cfg!(feature = "shell") {
+            expect(program(&["--level", &path]), 1, &words);
+        }
+    }
+}
+
+#[test]
+fn nonsense_on_the_command_line_is_refused_with_status_2() {
+    for (args, word) in [
+        (&["--no-such-option"][..], "unknown option --no-such-option"),
+        (&["--seed", "1", "--seed", "1"], "--seed is given twice"),
+        (&["--headless"], "--headless needs --replay"),
+        (
+            &["--headless", "--replay", "x", "--size", "640x480"],
+            "contradict",
+        ),
+        (&["--replay", "x", "--record", "y"], "contradict"),
+        (
+            &["--tick-rate", "1e300"],
+            "--tick-rate: `1e300` is not a whole number",
+        ),
+        (&["--size", "axb"], "--size: `axb` is not WIDTHxHEIGHT"),
+        (&["quarry.ron"], "unexpected argument `quarry.ron`"),
+    ] {
+        expect(program(args), 2, &[word, "--help"]);
+    }
+}
+
+#[test]
+fn help_and_version_go_to_the_output() {
+    assert!(expect(program(&["--help"]), 0, &[]).contains("--tick-rate N"));
+    let version = expect(program(&["--version"]), 0, &[]);
+    assert_eq!(
+        version.trim(),
+        concat!("edgewalker ", env!("CARGO_PKG_VERSION"))
+    );
+}
+
+#[test]
+fn broken_replays_are_refused() {
+    let folder = Folder::new("replays");
+    let replay = |version: u32, rate: &str, tuning: &str| {
+        format!(
+            "(version: {version}, level: \"levels/dev/flat.ron\", fingerprint: \"0\", tick_rate: {rate}, seed: 0, \
+             tuning: ({tuning}), inputs: [])"
+        )
+    };
+    for (name, text, word) in [
+        ("empty", String::new(), "empty.replay"),
+        ("newer", replay(99, "120", ""), "`version`: 99"),
+        ("rate", replay(1, "0", ""), "tick_rate"),
+        ("nan", replay(1, "120", "motion: (gravity: NaN)"), "gravity"),
+        (
+            "unknown",
+            replay(1, "120", "motion: (levity: 1.0)"),
+            "levity",
+        ),
+        ("other", replay(1, "120", ""), "fingerprint"),
+    ] {
+        let path = folder.write(&format!("{name}.replay"), &text);
+        expect(
+            program(&["--headless", "--replay", &path]),
+            1,
+            &[word, &format!("{name}.replay")],
+        );
+    }
+    expect(
+        program(&["--headless", "--replay", "no/such/file"]),
+        1,
+        &["no/such/file: not found"],
+    );
+    let directory = folder.0.to_str().unwrap();
+    expect(
+        program(&["--headless", "--replay", directory]),
+        1,
+        &["is a directory, not a file"],
+    );
+}
+
+#[cfg(not(feature = "shell"))]
+#[test]
+fn a_build_without_a_window_says_so() {
+    expect(
+        program(&[]),
+        1,
+        &["this build has no window", "--headless --replay"],
+    );
+}
+
+#[cfg(feature = "shell")]
+mod window {
+    use super::*;
+
+    const FLAT: &[&str] = &["--level", "levels/dev/flat.ron"];
+
+    #[test]
+    fn a_file_that_is_missing_or_a_directory_is_named() {
+        let folder = Folder::new("missing");
+        let directory = folder.0.to_str().unwrap();
+        expect(program(&["--level", "no/such.ron"]), 1, &["no/such.ron"]);
+        expect(
+            program(&["--level", directory]),
+            1,
+            &[directory, "directory"],
+        );
+        expect(
+            program(&["--tuning", "no/such.ron"]),
+            1,
+            &["no/such.ron: not found"],
+        );
+        expect(
+            program(&["--tuning", directory]),
+            1,
+            &["is a directory, not a file"],
+        );
+        expect(
+            program(&["--record", "no/such/folder/run"]),
+            1,
+            &["no/such/folder/run: cannot be written"],
+        );
+        expect(
+            program(&["--screenshot", directory, "--at", "0"]),
+            1,
+            &["is a directory, not a file"],
+        );
+    }
+
+    #[test]
+    fn a_broken_tuning_file_is_refused_by_line_and_field() {
+        let folder = Folder::new("tuning");
+        for (name, text, words) in [
+            ("empty.ron", "", ["line 1", "empty"]),
+            (
+                "huge.ron",
+                "(\n motion: (\n  gravity: 1e300,\n ),\n)",
+                ["line 3", "gravity"],
+            ),
+            (
+                "nan.ron",
+                "(\n motion: (\n  gravity: NaN,\n ),\n)",
+                ["line 3", "gravity"],
+            ),
+            (
+                "unknown.ron",
+                "(\n motion: (\n  levity: 1.0,\n ),\n)",
+                ["line 3", "levity"],
+            ),
+            ("cut.ron", "(\n motion: (\n  grav", ["line 3", "cut.ron"]),
+        ] {
+            let path = folder.write(name, text);
+            let mut words = words.to_vec();
+            words.push(name);
+            expect(program(&["--tuning", &path]), 1, &words);
+        }
+    }
+
+    /// The first place where assets are looked for is the current directory.
+    #[test]
+    fn a_missing_or_broken_asset_is_named() {
+        let folder = Folder::new("assets");
+        let run_there = || {
+            let mut command = program(FLAT);
+            command
+                .args(["--screenshot", "a.png", "--at", "0"])
+                .current_dir(&folder.0);
+            command
+        };
+        fs::create_dir_all(folder.0.join("shaders")).unwrap();
+        expect(run_there(), 1, &["shaders"]);
+        fs::remove_dir(folder.0.join("shaders")).unwrap();
+        fs::create_dir_all(folder.0.join("assets/fonts")).unwrap();
+        folder.write("assets/fonts/DejaVuSans.ttf", "no font");
+        expect(
+            run_there(),
+            1,
+            &["assets/fonts/DejaVuSans.ttf: is not a TrueType font"],
+        );
+        assert!(!folder.0.join("a.png").exists());
+    }
+
+    #[test]
+    fn without_a_display_there_is_a_message_and_no_game() {
+        for driver in [Some("x11"), Some("no-such-driver"), None] {
+            let mut command = program(FLAT);
+            command
+                .env_remove("DISPLAY")
+                .env_remove("WAYLAND_DISPLAY")
+                .env_remove("SDL_VIDEODRIVER");
+            if let Some(driver) = driver {
+                command.env("SDL_VIDEODRIVER", driver);
+            }
+            expect(command, 1, &["display"]);
+        }
+    }
+
+    #[test]
+    fn without_opengl_3_3_there_is_a_message_and_no_game() {
+        let mut command = program(FLAT);
+        command.env("MESA_GL_VERSION_OVERRIDE", "2.1");
+        expect(command, 1, &["OpenGL 3.3"]);
+    }
+
+    #[test]
+    fn a_screenshot_has_the_size_that_was_asked_for() {
+        let folder = Folder::new("shot");
+        let path = folder.0.join("shot.png");
+        let mut command = program(FLAT);
+        command
+            .args(["--size", "320x200", "--at", "30", "--screenshot"])
+            .arg(&path);
+        expect(command, 0, &[]);
+        let mut reader = png::Decoder::new(std::io::BufReader::new(
+            fs::File::open(Path::new(&path)).unwrap(),
+        ))
+        .read_info()
+        .unwrap();
+        let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
+        reader.next_frame(&mut pixels).unwrap();
+        assert_eq!(reader.info().size(), (320, 200));
+        assert!(
+            pixels.chunks(3).any(|pixel| pixel != &pixels[..3]),
+            "one colour"
+        );
+    }
+}
