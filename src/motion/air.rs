@@ -141,17 +141,20 @@ impl Body {
         self.mode = Mode::Surface(Surface { t0: self.time, s0, u0, accel, limit, segment, track, edge, since, walkable, against });
     }
 
-    /// Off a steep surface as soon as gravity and the active push together point away from it.
+    /// Off a steep surface as soon as gravity and the active push together point away from it. The drag of a released
+    /// stick alone lifts nobody off, but it may hold one on: in flight the whole acceleration must lead away.
     pub(super) fn part_if_pulled(&mut self, terrain: &Terrain, trace: &mut Trace) {
         let Mode::Surface(on) = &self.mode else { return };
         if on.walkable {
             return;
         }
-        let fall = law::fall(on.u0 * on.track.tangent.y, &self.control, terrain.tuning);
-        let push = terrain.tuning.air_accel * self.control.run.signum() * f64::from(self.control.run != 0.0);
-        if on.track.normal.dot(DVec2::new(push, fall.accel)) > 0.0 {
+        let v = on.track.tangent * on.u0;
+        let (x, y) = (law::steer(v.x, &self.control, terrain.tuning), law::fall(v.y, &self.control, terrain.tuning));
+        let push = if self.control.run != 0.0 { x.accel } else { 0.0 };
+        let away = |x: f64| on.track.normal.dot(DVec2::new(x, y.accel)) > 0.0;
+        if away(push) && away(x.accel) {
             let (segment, face) = (on.segment, self.face(terrain.mesh(self.size)));
-            self.fly(self.position(), self.velocity(), face, [Some(segment), None]);
+            self.fly(self.position(), v, face, [Some(segment), None]);
             self.log(EventKind::Parted, trace);
         }
     }

@@ -128,8 +128,8 @@ pub(super) enum Next {
     Limit,
     /// The vertex ahead on the surface is reached.
     Vertex,
-    /// There is room to stand up.
-    Clear,
+    /// There is room to stand up; on a surface, from this parameter on.
+    Clear(Option<f64>),
 }
 
 /// One body. A plain value: clone it to take a snapshot.

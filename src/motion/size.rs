@@ -114,21 +114,29 @@ impl Body {
         let until = next.map_or(f64::INFINITY, |n| n.0);
         let clear = match &self.mode {
             Mode::Surface(on) => self.clear_along(on, terrain),
-            Mode::Air(air) => clear_in_flight(air, self.time, until, terrain.stand),
+            Mode::Air(air) => clear_in_flight(air, self.time, until, terrain.stand).map(|at| (at, None)),
             Mode::Wedge(_) => None,
         };
-        clear.filter(|&at| at < until).map(|at| (at, Next::Clear)).or(next)
+        clear.filter(|&(at, _)| at < until).map(|(at, parameter)| (at, Next::Clear(parameter))).or(next)
     }
 
-    /// When the first piece ahead is reached that is free for the standing body.
-    fn clear_along(&self, on: &Surface, terrain: &Terrain) -> Option<f64> {
+    /// At the place where there is room: exactly there, whatever rounding has made of the parameter.
+    pub(super) fn come_clear(&mut self, parameter: Option<f64>) {
+        self.rebase();
+        if let (Mode::Surface(on), Some(s)) = (&mut self.mode, parameter) {
+            on.s0 = s;
+        }
+    }
+
+    /// When the first piece ahead is reached that is free for the standing body, and its parameter.
+    fn clear_along(&self, on: &Surface, terrain: &Terrain) -> Option<(f64, Option<f64>)> {
         let old = terrain.crouch.segment(on.segment);
         let segment = terrain.stand.segment_of(old.feature, old.source)?;
         let here = on.parameter(self.time);
         let sign = on.sign();
         let ahead = pieces(terrain.stand, segment, on).filter(|p| p.3).map(|(from, to, ..)| if sign > 0.0 { from.min(to) } else { from.max(to) });
         let nearest = ahead.filter(|&s| (s - here) * sign > 0.0).min_by(|a, b| (a * sign).total_cmp(&(b * sign)))?;
-        on.reaches(nearest).map(|dt| on.t0 + dt)
+        on.reaches(nearest).map(|dt| (on.t0 + dt, Some(nearest)))
     }
 }
 

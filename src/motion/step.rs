@@ -86,7 +86,8 @@ impl Body {
             Next::Hit(edge) => self.hit(edge, terrain, trace),
             Next::Limit => self.reach_limit(trace),
             Next::Vertex if self.pass_vertex(terrain, trace) => return self.schedule(terrain),
-            Next::Vertex | Next::Clear => {}
+            Next::Vertex => {}
+            Next::Clear(parameter) => self.come_clear(parameter),
         }
         self.refresh(terrain, trace);
     }
@@ -180,13 +181,15 @@ impl Body {
                 on.stand_against_wall();
             }
             Mode::Surface(on) => {
-                let climb = on.track.tangent.y;
+                let DVec2 { x: run, y: climb } = on.track.tangent;
                 let law = law::fall(on.u0 * climb, &control, t);
                 on.accel = law.accel * climb;
-                let slowed = law::Law { accel: law.accel * climb * climb, ..law };
-                let reached = limit(slowed, on.u0 * climb).map(|(at, until)| (at, until / climb));
-                let turned = (on.u0 * on.accel < 0.0).then(|| (now - on.u0 / on.accel, 0.0));
-                on.limit = [reached, turned].into_iter().flatten().filter(|l| l.0.is_finite()).min_by(|a, b| a.0.total_cmp(&b.0));
+                // The speeds at which the fall changes, the slide turns, and the push of the stick ends.
+                let marks = [law.until.map(|until| until / climb), Some(0.0), Some(control.run * t.run_speed / run)];
+                let after = |&mark: &f64| mark.is_finite() && (mark - on.u0) * on.accel > 0.0;
+                let first = |a: &f64, b: &f64| (a - on.u0).abs().total_cmp(&(b - on.u0).abs());
+                let mark = marks.into_iter().flatten().filter(after).min_by(first);
+                on.limit = mark.map(|mark| (now + (mark - on.u0) / on.accel, mark));
                 on.stand_against_wall();
             }
             Mode::Wedge(_) => {}
