@@ -62,7 +62,7 @@ impl Buckets {
     }
 
     fn key(column: i64, row: i64) -> u64 {
-        (column as u64) << 32 | u64::from(row as u32)
+        ((column as u64) << 32) | u64::from(row as u32)
     }
 
     /// The cell of a point.

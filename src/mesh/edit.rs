@@ -327,8 +327,8 @@ fn hilbert(p: Point) -> u64 {
     let (mut x, mut y) = ((p.x + EDGE_OF_WORLD) as u32, (p.y + EDGE_OF_WORLD) as u32);
     let mut along = 0;
     for level in (0..29).rev() {
-        let (right, up) = (x >> level & 1, y >> level & 1);
-        along = along << 2 | u64::from(3 * right ^ up);
+        let (right, up) = ((x >> level) & 1, (y >> level) & 1);
+        along = (along << 2) | u64::from((3 * right) ^ up);
         // Turn the quadrant so that the curve inside it starts and ends where it should.
         if up == 0 {
             if right == 1 {

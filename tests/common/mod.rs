@@ -1,0 +1,3 @@
+//! What the mesh tests share.
+
+pub mod worlds;
