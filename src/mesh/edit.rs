@@ -32,8 +32,7 @@ impl Mesh {
         }
         let mut mesh = Mesh::empty(usual_shift(features));
         mesh.put(&batch);
-        let touched = mesh.triangulation.topology.take_touched();
-        mesh.spread(&touched, None);
+        mesh.spread(None);
         Ok(mesh)
     }
 
@@ -46,9 +45,9 @@ impl Mesh {
             covers: Covers::new(),
             segments: Vec::new(),
             features: BTreeMap::new(),
+            rewired: 0,
         };
-        let touched = mesh.triangulation.topology.take_touched();
-        mesh.spread(&touched, None);
+        mesh.spread(None);
         mesh
     }
 
@@ -62,8 +61,7 @@ impl Mesh {
         }
         check(feature, edges)?;
         self.put(&[(feature, edges)]);
-        let touched = self.triangulation.topology.take_touched();
-        self.spread(&touched, Some(feature));
+        self.spread(Some(feature));
         self.cover_inside(feature);
         Ok(())
     }
@@ -84,8 +82,7 @@ impl Mesh {
             .unwrap_or_default();
         let (_, diff) = self.arrangement.edit(&[], &segments);
         self.apply(&diff);
-        let touched = self.triangulation.topology.take_touched();
-        self.spread(&touched, None);
+        self.spread(None);
         Ok(())
     }
 
@@ -197,9 +194,11 @@ impl Mesh {
     }
 
     /// Gives new faces their covers, leaving one feature out of account.
-    fn spread(&mut self, new: &[u32], without: Option<FeatureId>) {
+    fn spread(&mut self, without: Option<FeatureId>) {
+        let new = self.triangulation.topology.take_touched();
+        self.rewired = new.len();
         let mut covers = std::mem::replace(&mut self.covers, Covers::new());
-        covers.spread(&self.triangulation.topology, new, &|e, gains| {
+        covers.spread(&self.triangulation.topology, &new, &|e, gains| {
             self.gain(e, gains);
             gains.retain(|g| Some(g.0) != without);
             *gains = merged(std::mem::take(gains));

@@ -157,6 +157,8 @@ pub struct Mesh {
     /// Feature edges by id; unused ids keep their last one.
     segments: Vec<Segment>,
     features: BTreeMap<FeatureId, Feature>,
+    /// Faces that the last edit made or changed.
+    rewired: usize,
 }
 
 /// The edges of one feature.
@@ -336,6 +338,11 @@ impl Mesh {
     /// All feature edges of a feature, in the order in which they were given.
     pub fn segments_of(&self, feature: FeatureId) -> &[SegmentId] {
         self.features.get(&feature).map_or(&[], |f| &f.segments)
+    }
+
+    /// How many faces the last edit made, changed or removed: a measure of its locality.
+    pub fn rewired(&self) -> usize {
+        self.rewired
     }
 
     /// The ids of all features, ascending.

@@ -1,3 +1,4 @@
 //! What the mesh tests share.
 
 pub mod worlds;
+pub mod slow;
