@@ -13,7 +13,12 @@ use worlds::Dice;
 
 fn main() {
     let mesh = Mesh::build(&features()).unwrap();
-    println!("1e4 octagons: {} vertices, {} edges, {} faces", mesh.vertices().count(), mesh.edges().count(), mesh.faces().count());
+    println!(
+        "1e4 octagons: {} vertices, {} edges, {} faces",
+        mesh.vertices().count(),
+        mesh.edges().count(),
+        mesh.faces().count()
+    );
     divan::main();
 }
 
@@ -69,13 +74,22 @@ fn sweep_edges(bencher: Bencher) {
     let mut sweeps = Vec::new();
     let mut edges = 0;
     for _ in 0..32 {
-        let p = DVec2::new(dice.between(-HALF, HALF) * 0.6, dice.between(-HALF, HALF) * 0.6);
-        let Some(Place::Face(face)) = mesh.locate(p, None) else { continue };
+        let p = DVec2::new(
+            dice.between(-HALF, HALF) * 0.6,
+            dice.between(-HALF, HALF) * 0.6,
+        );
+        let Some(Place::Face(face)) = mesh.locate(p, None) else {
+            continue;
+        };
         let start = mesh.point(mesh.origin(mesh.face_edge(face)));
         let end = start.metres() + DVec2::from_angle(dice.between(0.0, 6.28)) * 100.0;
         let end = Point::snap(end).unwrap();
         let ends = |e| (mesh.point(mesh.origin(e)), mesh.point(mesh.dest(e)));
-        edges += mesh.edges().map(ends).filter(|&(a, b)| crosses(a, b, start, end)).count();
+        edges += mesh
+            .edges()
+            .map(ends)
+            .filter(|&(a, b)| crosses(a, b, start, end))
+            .count();
         sweeps.push((face, end.metres()));
     }
     bencher.counter(ItemsCount::new(edges)).bench_local(|| {

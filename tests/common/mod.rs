@@ -1,4 +1,4 @@
 //! What the mesh tests share.
 
-pub mod worlds;
 pub mod slow;
+pub mod worlds;

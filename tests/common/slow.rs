@@ -31,8 +31,16 @@ fn borders(p: Spot) -> [[(i128, bool); 2]; 2] {
 /// Whether the position (x / w, y / w), w > 0, lies in the half-open pixel of p.
 pub fn in_pixel(x: i128, y: i128, w: i128, p: Spot) -> bool {
     let within = |c: i128, [low, high]: [(i128, bool); 2]| {
-        let above = if low.1 { 2 * c >= low.0 * w } else { 2 * c > low.0 * w };
-        let below = if high.1 { 2 * c <= high.0 * w } else { 2 * c < high.0 * w };
+        let above = if low.1 {
+            2 * c >= low.0 * w
+        } else {
+            2 * c > low.0 * w
+        };
+        let below = if high.1 {
+            2 * c <= high.0 * w
+        } else {
+            2 * c < high.0 * w
+        };
         above && below
     };
     let [bx, by] = borders(p);
@@ -49,8 +57,16 @@ struct Bound {
 
 /// Whether the segment from a to b meets the half-open pixel of p, by clipping its parameter to each border in turn.
 pub fn meets(a: Spot, b: Spot, p: Spot) -> bool {
-    let mut low = Bound { num: 0, den: 1, closed: true };
-    let mut high = Bound { num: 1, den: 1, closed: true };
+    let mut low = Bound {
+        num: 0,
+        den: 1,
+        closed: true,
+    };
+    let mut high = Bound {
+        num: 1,
+        den: 1,
+        closed: true,
+    };
     for (start, end, [from, to]) in [(a.0, b.0, borders(p)[0]), (a.1, b.1, borders(p)[1])] {
         let step = 2 * (end - start);
         if step == 0 {
@@ -61,11 +77,23 @@ pub fn meets(a: Spot, b: Spot, p: Spot) -> bool {
             }
             continue;
         }
-        let bound = |border: (i128, bool)| Bound { num: (border.0 - 2 * start) * step.signum(), den: step.abs(), closed: border.1 };
-        let (enter, leave) = if step > 0 { (bound(from), bound(to)) } else { (bound(to), bound(from)) };
+        let bound = |border: (i128, bool)| Bound {
+            num: (border.0 - 2 * start) * step.signum(),
+            den: step.abs(),
+            closed: border.1,
+        };
+        let (enter, leave) = if step > 0 {
+            (bound(from), bound(to))
+        } else {
+            (bound(to), bound(from))
+        };
         let tighter = |x: Bound, y: Bound, sign: i128| {
             let difference = sign * (x.num * y.den - y.num * x.den);
-            if difference > 0 || (difference == 0 && !x.closed) { x } else { y }
+            if difference > 0 || (difference == 0 && !x.closed) {
+                x
+            } else {
+                y
+            }
         };
         low = tighter(enter, low, 1);
         high = tighter(leave, high, -1);
@@ -84,10 +112,18 @@ pub fn crossing(a: Spot, b: Spot, c: Spot, d: Spot) -> Option<(i128, i128, i128)
         return None;
     }
     let sign = w.signum();
-    let (x, y, w) = (sign * (r1 * q2 - r2 * q1), sign * (p1 * r2 - p2 * r1), w.abs());
+    let (x, y, w) = (
+        sign * (r1 * q2 - r2 * q1),
+        sign * (p1 * r2 - p2 * r1),
+        w.abs(),
+    );
     // Strictly between the ends, in whichever coordinate the segment has some extent.
     let between = |s: Spot, t: Spot| {
-        let (c, from, to) = if s.0 == t.0 { (y, s.1, t.1) } else { (x, s.0, t.0) };
+        let (c, from, to) = if s.0 == t.0 {
+            (y, s.1, t.1)
+        } else {
+            (x, s.0, t.0)
+        };
         from.min(to) * w < c && c < from.max(to) * w
     };
     (between(a, b) && between(c, d)).then_some((x, y, w))
@@ -106,7 +142,9 @@ pub fn pixel(x: i128, y: i128, w: i128) -> Spot {
 pub fn snap(segments: &[(Spot, Spot)]) -> (BTreeSet<Spot>, Vec<Vec<Spot>>) {
     let mut hot: BTreeSet<Spot> = segments.iter().flat_map(|&(a, b)| [a, b]).collect();
     for (i, &(a, b)) in segments.iter().enumerate() {
-        let crossings = segments[..i].iter().filter_map(|&(c, d)| crossing(a, b, c, d));
+        let crossings = segments[..i]
+            .iter()
+            .filter_map(|&(c, d)| crossing(a, b, c, d));
         hot.extend(crossings.map(|(x, y, w)| pixel(x, y, w)));
     }
     let chain = |&(a, b): &(Spot, Spot)| {
@@ -143,15 +181,22 @@ pub fn winding(outline: &[Spot], p: Spot) -> i128 {
 
 /// Whether two closed polygons (given with the same unit) have a point in common.
 pub fn polygons_meet(p: &[Spot], q: &[Spot]) -> bool {
-    let edges = |o: &[Spot]| (0..o.len()).map(|i| (o[i], o[(i + 1) % o.len()])).collect::<Vec<_>>();
+    let edges = |o: &[Spot]| {
+        (0..o.len())
+            .map(|i| (o[i], o[(i + 1) % o.len()]))
+            .collect::<Vec<_>>()
+    };
     let touches = |(a, b): (Spot, Spot), (c, d): (Spot, Spot)| {
-        let overlap = |s: i128, t: i128, u: i128, v: i128| s.min(t) <= u.max(v) && u.min(v) <= s.max(t);
+        let overlap =
+            |s: i128, t: i128, u: i128, v: i128| s.min(t) <= u.max(v) && u.min(v) <= s.max(t);
         let apart = |s: i128, t: i128| s.signum() * t.signum() > 0;
         overlap(a.0, b.0, c.0, d.0)
             && overlap(a.1, b.1, c.1, d.1)
             && !apart(turn(a, b, c), turn(a, b, d))
             && !apart(turn(c, d, a), turn(c, d, b))
     };
-    let borders = edges(p).iter().any(|&e| edges(q).iter().any(|&f| touches(e, f)));
+    let borders = edges(p)
+        .iter()
+        .any(|&e| edges(q).iter().any(|&f| touches(e, f)));
     borders || winding(p, q[0]) != 0 || winding(q, p[0]) != 0
 }

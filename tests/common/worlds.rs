@@ -81,7 +81,9 @@ pub fn slopes(dice: &mut Dice, n: usize) -> Vec<Outline> {
         .map(|_| {
             let (x, y) = (half(dice, side), half(dice, side));
             let (w, h) = (0.5 + half(dice, 6), 0.5 + half(dice, 4));
-            let mut corners = [(x, y), (x + w, y), (x + w, y + h), (x, y + h)].map(DVec2::from).to_vec();
+            let mut corners = [(x, y), (x + w, y), (x + w, y + h), (x, y + h)]
+                .map(DVec2::from)
+                .to_vec();
             if dice.below(2) == 0 {
                 corners.remove(dice.below(4) as usize);
             }
@@ -96,8 +98,13 @@ pub fn grid(dice: &mut Dice, n: usize) -> Vec<Outline> {
     (0..n)
         .map(|_| {
             let (x, y) = (f64::from(dice.below(side)), f64::from(dice.below(side)));
-            let (w, h) = (1.0 + f64::from(dice.below(3)), 1.0 + f64::from(dice.below(3)));
-            [(x, y), (x + w, y), (x + w, y + h), (x, y + h)].map(DVec2::from).to_vec()
+            let (w, h) = (
+                1.0 + f64::from(dice.below(3)),
+                1.0 + f64::from(dice.below(3)),
+            );
+            [(x, y), (x + w, y), (x + w, y + h), (x, y + h)]
+                .map(DVec2::from)
+                .to_vec()
         })
         .collect()
 }
@@ -105,18 +112,33 @@ pub fn grid(dice: &mut Dice, n: usize) -> Vec<Outline> {
 /// Moves a world and turns it by an angle in radians.
 pub fn placed(world: &[Outline], offset: DVec2, angle: f64) -> Vec<Outline> {
     let turn = DVec2::from_angle(angle);
-    world.iter().map(|outline| outline.iter().map(|&p| turn.rotate(p) + offset).collect()).collect()
+    world
+        .iter()
+        .map(|outline| outline.iter().map(|&p| turn.rotate(p) + offset).collect())
+        .collect()
 }
 
 /// Snaps a world to the grid; outlines that are no longer simple are left out.
 pub fn snapped(world: &[Outline]) -> Vec<Vec<Point>> {
-    let snap = |outline: &Outline| outline.iter().map(|&p| Point::snap(p)).collect::<Option<Vec<Point>>>();
-    world.iter().filter_map(snap).filter(|outline| check_outline(outline).is_ok()).collect()
+    let snap = |outline: &Outline| {
+        outline
+            .iter()
+            .map(|&p| Point::snap(p))
+            .collect::<Option<Vec<Point>>>()
+    };
+    world
+        .iter()
+        .filter_map(snap)
+        .filter(|outline| check_outline(outline).is_ok())
+        .collect()
 }
 
 /// Expands all outlines of a world.
 pub fn expanded(outlines: &[Vec<Point>], collider: &Collider) -> Vec<Vec<ExpandedEdge>> {
-    outlines.iter().map(|outline| expand(outline, collider)).collect()
+    outlines
+        .iter()
+        .map(|outline| expand(outline, collider))
+        .collect()
 }
 
 /// A box as a collider, with its reference point in the middle.
@@ -127,6 +149,10 @@ pub fn centred_box(half_width: f64, half_height: f64) -> Collider {
 
 /// Loose segments as one feature: a wire.
 pub fn wire(segments: &[(Point, Point)]) -> Vec<ExpandedEdge> {
-    let edge = |(i, &(a, b)): (usize, &(Point, Point))| ExpandedEdge { a, b, source: Source::Edge { edge: i as u32 } };
+    let edge = |(i, &(a, b)): (usize, &(Point, Point))| ExpandedEdge {
+        a,
+        b,
+        source: Source::Edge { edge: i as u32 },
+    };
     segments.iter().enumerate().map(edge).collect()
 }
