@@ -310,28 +310,3 @@ fn idle_is_frozen() {
     }
     assert!(rested > 40, "{rested} of 60 came to rest");
 }
-#[test]
-fn zz() {
-    let (seed, upto): (u64, u64) = (env("S", 3), env("N", 189));
-    let mut dice = Dice::new(seed);
-    let outlines = level(&mut dice);
-    let [stand, crouch] = meshes(&outlines);
-    let tuning = tuning(&mut dice);
-    let terrain = Terrain { stand: &stand, crouch: &crouch, tuning: &tuning };
-    let rate = [30.0, 60.0, 120.0, 240.0, 1000.0][dice.below(5) as usize];
-    let mut body = start(&mut dice, &terrain, 0.0);
-    let (mut trace, mut hold, mut born) = (Trace::default(), 0, 0);
-    for n in 1..=upto {
-        trace.clear();
-        if hold == 0 { hold = 1 + dice.below((rate * 0.7) as u32); body.apply(control(&mut dice), &terrain, &mut trace); }
-        hold -= 1;
-        let to = n as f64 / rate;
-        if n + 3 > upto { 
-            for _ in 0..30 { 
-            if let Some(at) = body.next_at().filter(|&at| at <= to) { if let Mode::Air(a) = body.mode() { println!("{:?}", terrain.mesh(body.size()).corners(a.face)); } 
-              println!("{:?}", body); body.advance(at.min(body.time().max(at)), &terrain, &mut trace); println!("  -> {:?}", trace.events.last()); } }
-        }
-        body.advance(to, &terrain, &mut trace);
-        if body.position().y < -60.0 || n - born > (20.0 * rate) as u64 { body = start(&mut dice, &terrain, to); (born, hold) = (n, 0); }
-    }
-}

@@ -28,8 +28,8 @@ impl Air {
             }
         }
         let left = best.map(|(dt, blocks, e)| match blocks {
-            true => (self.t0 + self.on_feature_edge(mesh, e, dt, tuning), Next::Hit(e)),
-            false => (self.t0 + dt, Next::Cross(e)),
+            true => (self.t0 + self.on_feature_edge(mesh, e, dt, tuning), Next::Hit(e, dt)),
+            false => (self.t0 + dt, Next::Cross(e, dt)),
         });
         let limit = self.limits.iter().flatten().map(|l| l.0).min_by(f64::total_cmp);
         match (left, limit) {
@@ -79,20 +79,26 @@ impl Air {
 
 impl Body {
     /// Over a free edge: no event of the motion, only of the place.
-    pub(super) fn cross(&mut self, edge: EdgeId, terrain: &Terrain, trace: &mut Trace) {
+    ///
+    /// `since` is the time of the crossing after the piece's start, as it was computed: rounded to an absolute time it would
+    /// not tell apart the crossings of several edges about a vertex.
+    pub(super) fn cross(&mut self, edge: EdgeId, since: f64, terrain: &Terrain, trace: &mut Trace) {
         let mesh = terrain.mesh(self.size);
         if let Mode::Air(air) = &mut self.mode {
             air.face = mesh.left(mesh.sym(edge)).expect("a free edge has a face on either side");
-            air.since = (self.time - air.t0).max(air.since);
+            air.since = since;
         }
         trace.crossed += 1;
         self.schedule(terrain);
     }
 
     /// At a blocking edge.
-    pub(super) fn hit(&mut self, edge: EdgeId, terrain: &Terrain, trace: &mut Trace) {
+    pub(super) fn hit(&mut self, edge: EdgeId, since: f64, terrain: &Terrain, trace: &mut Trace) {
         let mesh = terrain.mesh(self.size);
         let at = self.position();
+        if let Mode::Air(air) = &mut self.mode {
+            air.since = since;
+        }
         for spoke in [edge, mesh.lnext(edge)] {
             if mesh.point(mesh.origin(spoke)).metres() == at {
                 return self.hit_vertex(spoke, terrain, trace);
@@ -113,7 +119,6 @@ impl Body {
         if into < 0.0 {
             // Moving off: only a lip that rounding has left is in the way, less than a step high.
             if let Mode::Air(air) = &mut self.mode {
-                air.since = (self.time - air.t0).max(air.since);
                 air.touching = [Some(segment), air.touching[0]];
             }
             return;
@@ -141,22 +146,24 @@ impl Body {
         self.mode = Mode::Surface(Surface { t0: self.time, s0, u0, accel, limit, segment, track, edge, since, walkable, against });
     }
 
-    /// Off a steep surface as soon as gravity and the active push together point away from it. The drag of a released
-    /// stick alone lifts nobody off, but it may hold one on: in flight the whole acceleration must lead away.
+    /// Off a steep surface as soon as something pulls the body from it.
     pub(super) fn part_if_pulled(&mut self, terrain: &Terrain, trace: &mut Trace) {
         let Mode::Surface(on) = &self.mode else { return };
-        if on.walkable {
-            return;
-        }
-        let v = on.track.tangent * on.u0;
-        let (x, y) = (law::steer(v.x, &self.control, terrain.tuning), law::fall(v.y, &self.control, terrain.tuning));
-        let push = if self.control.run != 0.0 { x.accel } else { 0.0 };
-        let away = |x: f64| on.track.normal.dot(DVec2::new(x, y.accel)) > 0.0;
-        if away(push) && away(x.accel) {
-            let (segment, face) = (on.segment, self.face(terrain.mesh(self.size)));
+        if !on.walkable && self.pulled_off(&on.track, on.u0, terrain) {
+            let (segment, v, face) = (on.segment, on.track.tangent * on.u0, self.face(terrain.mesh(self.size)));
             self.fly(self.position(), v, face, [Some(segment), None]);
             self.log(EventKind::Parted, trace);
         }
+    }
+
+    /// Whether gravity and the active push together point away from a steep surface. The drag of a released stick alone
+    /// lifts nobody off, but it may hold one on: in flight the whole acceleration must lead away.
+    pub(super) fn pulled_off(&self, track: &Track, speed: f64, terrain: &Terrain) -> bool {
+        let v = track.tangent * speed;
+        let (x, y) = (law::steer(v.x, &self.control, terrain.tuning), law::fall(v.y, &self.control, terrain.tuning));
+        let push = if self.control.run != 0.0 { x.accel } else { 0.0 };
+        let away = |x: f64| track.normal.dot(DVec2::new(x, y.accel)) > 0.0;
+        away(push) && away(x.accel)
     }
 
     /// At a vertex, exactly. `spoke` leaves it, with the free face that the body comes from on its left.
@@ -172,7 +179,6 @@ impl Body {
             Sector::Free(face) => {
                 if let Mode::Air(air) = &mut self.mode {
                     air.face = face;
-                    air.since = (self.time - air.t0).max(air.since);
                 }
                 trace.crossed += 1;
                 return;

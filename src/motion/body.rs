@@ -120,10 +120,10 @@ pub enum Mode {
 /// What happens next, in closed form.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub(super) enum Next {
-    /// A free edge is crossed into its right face.
-    Cross(EdgeId),
-    /// A blocking edge is reached.
-    Hit(EdgeId),
+    /// A free edge is crossed into its right face, so long after the start of the piece.
+    Cross(EdgeId, f64),
+    /// A blocking edge is reached, so long after the start of the piece.
+    Hit(EdgeId, f64),
     /// A speed limit is reached.
     Limit,
     /// The vertex ahead on the surface is reached.

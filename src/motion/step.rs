@@ -82,8 +82,8 @@ impl Body {
 
     fn handle(&mut self, what: Next, terrain: &Terrain, trace: &mut Trace) {
         match what {
-            Next::Cross(edge) => return self.cross(edge, terrain, trace),
-            Next::Hit(edge) => self.hit(edge, terrain, trace),
+            Next::Cross(edge, since) => return self.cross(edge, since, terrain, trace),
+            Next::Hit(edge, since) => self.hit(edge, since, terrain, trace),
             Next::Limit => self.reach_limit(trace),
             Next::Vertex if self.pass_vertex(terrain, trace) => return self.schedule(terrain),
             Next::Vertex => {}

@@ -198,9 +198,10 @@ impl Body {
         let onward = (joint.speed * cosine(joint.before, after)).max(0.0);
         let into = (joint.speed * joint.speed - onward * onward).max(0.0).sqrt();
         let (sinks, goes_down) = (joint.before.1 < 0, after.1 < 0);
-        if walkable(mesh.segment(s), terrain.tuning.max_slope) || goes_down || !sinks && onward > 0.0 {
+        let lasts = onward > 0.0 || !self.pulled_off(&track, 0.0, terrain);
+        if walkable(mesh.segment(s), terrain.tuning.max_slope) || lasts && (goes_down || !sinks && onward > 0.0) {
             self.settle(s, joint.next, track.parameter_of(vertex), sign * onward, into, terrain, trace);
-        } else if sinks {
+        } else if sinks && !goes_down {
             // Gravity drives it back from both sides.
             self.wedge(vertex.metres(), joint.next, terrain, trace);
         } else {
