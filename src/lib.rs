@@ -9,6 +9,7 @@ pub mod geom;
 pub mod mesh;
 pub mod motion;
 pub mod level;
+pub mod anim;
 pub mod game;
 pub mod cli;
 #[cfg(feature = "shell")]

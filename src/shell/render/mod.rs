@@ -6,11 +6,13 @@
 
 mod debug;
 mod error;
+mod facets;
 mod frame;
 mod gl;
 mod model;
 mod program;
 mod scene;
+mod terrain;
 
 pub use error::RenderError;
 pub use gl::load;
@@ -110,8 +112,14 @@ impl Renderer {
     }
 
     /// Replaces the world by that of a stage.
-    pub fn set_stage(&mut self, _stage: &Stage) {
-        let scene = Scene::default();
+    pub fn set_stage(&mut self, stage: &Stage) {
+        self.set_solids(&terrain::solids(stage));
+    }
+
+
+    pub fn set_solids(&mut self, solids: &[([crate::geom::Point; 3], crate::level::Material)]) {
+        let mut scene = Scene::default();
+        scene.add_near(&terrain::build(solids));
         self.world.upload(&scene.words);
         self.chunks = scene.chunks;
         self.lights = scene.lights;

@@ -1,0 +1,3 @@
+//! Poses as values: plain numbers about a moment in, a matrix for each part of a figure out. No picture is drawn here.
+
+pub mod hero;
