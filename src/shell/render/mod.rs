@@ -9,6 +9,8 @@ mod error;
 mod facets;
 mod frame;
 mod gl;
+mod hero;
+mod lamps;
 mod model;
 mod program;
 mod scene;
@@ -22,8 +24,7 @@ use crate::game::Stage;
 use debug::Debug;
 use frame::FrameBlock;
 use gl::{Blend, Cull, Depth, DepthTarget, Format, Geometry, Gl, Program, Uniforms};
-use glam::{Mat4, Vec3};
-use model::{Model, paint};
+use hero::Hero;
 use scene::{Chunk, Scene};
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
@@ -43,9 +44,12 @@ pub struct Renderer {
     shadow_map: DepthTarget,
     world: Geometry,
     chunks: Vec<Chunk>,
-    hero: Geometry,
+    figure: Geometry,
+    hero: Hero,
     debug: Debug,
-    lights: Vec<PointLight>,
+    /// All lamps of the stage, and those of the current picture.
+    lamps: Vec<PointLight>,
+    lit: Vec<PointLight>,
     /// Room to put uploads together in, kept from frame to frame.
     words: Vec<u32>,
 }
@@ -85,16 +89,8 @@ impl Renderer {
             });
         }
         let programs = Programs::load(&gl, shader_dir)?;
-        let mut hero = gl.geometry(&VERTEX, false)?;
-        let mut model = Model::default();
-        model.block(
-            Vec3::ZERO,
-            (0.4, 0.3),
-            (0.3, 0.2),
-            1.7,
-            paint(0xb03030).on(1),
-        );
-        hero.upload(&model.words);
+        let mut figure = gl.geometry(&VERTEX, false)?;
+        figure.upload(&hero::figure().words);
         Ok(Renderer {
             shader_dir: shader_dir.to_path_buf(),
             programs,
@@ -103,9 +99,11 @@ impl Renderer {
             shadow_map: gl.depth_target(frame::SHADOW_TEXELS)?,
             world: gl.geometry(&VERTEX, false)?,
             chunks: Vec::new(),
-            hero,
+            figure,
+            hero: Hero::default(),
             debug: Debug::new(&gl)?,
-            lights: Vec::new(),
+            lamps: Vec::new(),
+            lit: Vec::with_capacity(frame::MAX_LIGHTS + 1),
             words: Vec::new(),
             gl,
         })
@@ -113,16 +111,11 @@ impl Renderer {
 
     /// Replaces the world by that of a stage.
     pub fn set_stage(&mut self, stage: &Stage) {
-        self.set_solids(&terrain::solids(stage));
-    }
-
-
-    pub fn set_solids(&mut self, solids: &[([crate::geom::Point; 3], crate::level::Material)]) {
         let mut scene = Scene::default();
-        scene.add_near(&terrain::build(solids));
+        scene.add_near(&terrain::build(&terrain::solids(stage)));
         self.world.upload(&scene.words);
         self.chunks = scene.chunks;
-        self.lights = scene.lights;
+        self.lamps = scene.lights;
     }
 
     /// Reads all shaders again.
@@ -168,16 +161,18 @@ impl Renderer {
     /// Hands the frame's values to the GPU.
     fn upload(&mut self, frame: &Frame, size: (u32, u32)) -> FrameBlock {
         let foot = frame.view.position.as_vec2().extend(0.0);
+        let pose = self.hero.pose(frame.view);
+        self.lit.clear();
+        lamps::choose(&self.lamps, frame.camera.target, &mut self.lit);
+        self.lit.truncate(frame::MAX_LIGHTS - 1);
+        self.lit.push(hero::lamp(&pose, foot, frame.time));
         let block = FrameBlock {
             hero: foot.extend(0.0),
             ..FrameBlock::new(&frame.camera, size, frame.time)
         };
-        block.write(&self.lights, &mut self.words);
+        block.write(&self.lit, &mut self.words);
         self.frame_uniforms.upload(&self.words);
-        self.words.clear();
-        for part in [Mat4::IDENTITY, Mat4::from_translation(foot)] {
-            self.words.extend(part.to_cols_array().map(f32::to_bits));
-        }
+        hero::write_parts(&pose, foot, &mut self.words);
         self.part_uniforms.upload(&self.words);
         self.debug.upload(frame.lines, frame.tris, &mut self.words);
         block
@@ -188,7 +183,7 @@ impl Renderer {
         self.shadow_map.draw_into(&self.gl);
         self.gl.state(Depth::Write, Blend::Off, Cull::Off);
         self.gl
-            .triangles(&self.programs.shadow, &self.hero, 0..usize::MAX);
+            .triangles(&self.programs.shadow, &self.figure, 0..usize::MAX);
         for chunk in self
             .chunks
             .iter()
@@ -204,7 +199,7 @@ impl Renderer {
         self.shadow_map.read_from();
         self.gl.state(Depth::Write, Blend::Off, Cull::Back);
         self.gl
-            .triangles(&self.programs.world, &self.hero, 0..usize::MAX);
+            .triangles(&self.programs.world, &self.figure, 0..usize::MAX);
         for chunk in self
             .chunks
             .iter()
@@ -218,7 +213,7 @@ impl Renderer {
     /// The sky, wherever nothing else is.
     fn sky_pass(&self) {
         self.gl.state(Depth::Test, Blend::Off, Cull::Off);
-        self.gl.triangles(&self.programs.sky, &self.hero, 0..3);
+        self.gl.triangles(&self.programs.sky, &self.figure, 0..3);
     }
 
     /// Developers' drawings, over everything.
