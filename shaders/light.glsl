@@ -1,9 +1,9 @@
 // Dusk: one warm key light, a cool sky, lanterns, fog. All in linear light.
 #include "frame.glsl"
 
-const vec3 KEY = vec3(2.15, 1.25, 0.62);
-const vec3 SKY_FILL = vec3(0.20, 0.30, 0.46);
-const vec3 GROUND_FILL = vec3(0.055, 0.085, 0.10);
+const vec3 KEY = vec3(2.0, 1.27, 0.76);
+const vec3 SKY_FILL = vec3(0.22, 0.33, 0.50);
+const vec3 GROUND_FILL = vec3(0.06, 0.10, 0.13);
 const vec3 FOG_COOL = vec3(0.155, 0.205, 0.285);
 const vec3 FOG_WARM = vec3(0.98, 0.46, 0.20);
 const vec3 SUNSET = vec3(-0.52, 0.09, -0.85);   // where the sun glows in the sky

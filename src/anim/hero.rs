@@ -116,7 +116,11 @@ impl Pose {
 
 /// Rise over run of the ground; level on walls and in the air.
 fn slope(moves: &Moves) -> f32 {
-    if moves.support == Support::Ground && moves.normal.y > 0.3 { -moves.normal.x / moves.normal.y } else { 0.0 }
+    if moves.support == Support::Ground && moves.normal.y > 0.3 {
+        -moves.normal.x / moves.normal.y
+    } else {
+        0.0
+    }
 }
 
 impl Memory {
@@ -147,7 +151,11 @@ impl Memory {
         self.facing = towards(self.facing, now.facing, 22.0);
         self.wind += (now.wind - self.wind) * share(9.0);
         self.crouch = towards(self.crouch, now.crouch, 20.0);
-        self.ground = towards(self.ground, now.ground, if now.ground > 0.5 { 40.0 } else { 16.0 });
+        self.ground = towards(
+            self.ground,
+            now.ground,
+            if now.ground > 0.5 { 40.0 } else { 16.0 },
+        );
         self.slope = towards(self.slope, now.slope, 25.0);
     }
 
@@ -160,7 +168,9 @@ impl Memory {
         stance.trunk(&mut parts);
         stance.arms(&mut parts);
         stance.cape(self, &mut parts);
-        Pose { parts: parts.map(|part| turn * part) }
+        Pose {
+            parts: parts.map(|part| turn * part),
+        }
     }
 }
 
@@ -190,8 +200,10 @@ impl Stance {
         let side = if moves.facing < 0.0 { -1.0 } else { 1.0 };
         let forward = moves.velocity.x * side;
         let run = (forward.abs() / 7.0).min(1.0) * memory.ground;
-        let phase = ((moves.x / f64::from(STRIDE)).rem_euclid(1.0) as f32 * side).rem_euclid(1.0) * TAU;
-        let squash = (-9.0 * moves.landed.0).exp() * (moves.landed.1 / 18.0).min(1.0) * memory.ground;
+        let phase =
+            ((moves.x / f64::from(STRIDE)).rem_euclid(1.0) as f32 * side).rem_euclid(1.0) * TAU;
+        let squash =
+            (-9.0 * moves.landed.0).exp() * (moves.landed.1 / 18.0).min(1.0) * memory.ground;
         let wall = f32::from(u8::from(moves.support == Support::Wall));
         let mut stance = Stance {
             time: moves.time.rem_euclid(3600.0) as f32,
@@ -202,7 +214,8 @@ impl Stance {
             squash,
             wall,
             hips: Vec2::ZERO,
-            lean: 0.05 + 0.26 * run * forward.signum() + 0.55 * memory.crouch + 0.25 * squash - 0.2 * wall,
+            lean: 0.05 + 0.26 * run * forward.signum() + 0.55 * memory.crouch + 0.25 * squash
+                - 0.2 * wall,
             feet: [Vec2::ZERO; 2],
         };
         let slope = memory.slope * side;
@@ -224,10 +237,22 @@ impl Stance {
         let running = Vec2::new(-0.36 * cos, 0.26 * (-sin).max(0.0));
         let walked = standing.lerp(running, (self.run * 1.6).min(1.0));
         let grounded = walked + Vec2::Y * slope * walked.x;
-        let rising = if ahead > 0.0 { Vec2::new(-0.24, 0.02) } else { Vec2::new(0.22, 0.34) };
-        let falling = if ahead > 0.0 { Vec2::new(-0.2, 0.16) } else { Vec2::new(0.2, 0.06) };
+        let rising = if ahead > 0.0 {
+            Vec2::new(-0.24, 0.02)
+        } else {
+            Vec2::new(0.22, 0.34)
+        };
+        let falling = if ahead > 0.0 {
+            Vec2::new(-0.2, 0.16)
+        } else {
+            Vec2::new(0.2, 0.06)
+        };
         let flying = falling.lerp(rising, self.rise * 0.5 + 0.5);
-        let sliding = if ahead > 0.0 { Vec2::new(0.1, 0.0) } else { Vec2::new(0.22, 0.26) };
+        let sliding = if ahead > 0.0 {
+            Vec2::new(0.1, 0.0)
+        } else {
+            Vec2::new(0.22, 0.26)
+        };
         flying.lerp(sliding, self.wall).lerp(grounded, self.ground)
     }
 
@@ -247,11 +272,15 @@ impl Stance {
         let hips = Mat4::from_translation(self.hips.extend(0.0));
         let twist = 0.16 * self.run * self.phase.cos();
         let sway = Mat4::from_rotation_y(twist) * Mat4::from_rotation_z(-self.lean);
-        parts[Part::Hips as usize] = hips * Mat4::from_rotation_y(-twist) * Mat4::from_rotation_z(-self.lean * 0.4);
+        parts[Part::Hips as usize] =
+            hips * Mat4::from_rotation_y(-twist) * Mat4::from_rotation_z(-self.lean * 0.4);
         parts[Part::Chest as usize] = hips * sway;
         let neck = hips * sway * Mat4::from_translation(Vec3::Y * SHOULDERS);
-        let nod = self.lean * 0.75 + 0.12 * self.rise * (1.0 - self.ground) + 0.02 * (self.time * 1.3).sin();
-        parts[Part::Head as usize] = neck * Mat4::from_rotation_z(nod) * Mat4::from_rotation_y(-twist);
+        let nod = self.lean * 0.75
+            + 0.12 * self.rise * (1.0 - self.ground)
+            + 0.02 * (self.time * 1.3).sin();
+        parts[Part::Head as usize] =
+            neck * Mat4::from_rotation_z(nod) * Mat4::from_rotation_y(-twist);
     }
 
     /// Upper arms and forearms as angles forward from hanging down; the left hand carries the lantern ahead.
@@ -260,8 +289,14 @@ impl Stance {
         let (air, swing) = (1.0 - self.ground, self.run * self.phase.cos());
         let spread = (air * (0.5 - 0.5 * self.rise)).max(self.squash * 0.6);
         let breath = 0.03 * (self.time * 2.1 + 0.6).sin();
-        let left = (0.55 + 0.45 * swing + 0.7 * air + breath, 0.75 + 0.3 * self.run);
-        let right = (-0.25 - 0.75 * swing - 0.5 * spread + 0.9 * self.wall - breath, 0.5 + 0.7 * self.run);
+        let left = (
+            0.55 + 0.45 * swing + 0.7 * air + breath,
+            0.75 + 0.3 * self.run,
+        );
+        let right = (
+            -0.25 - 0.75 * swing - 0.5 * spread + 0.9 * self.wall - breath,
+            0.5 + 0.7 * self.run,
+        );
         for (side, (angle, bend), arm, forearm) in [
             (-1.0, left, Part::ArmLeft, Part::ForearmLeft),
             (1.0, right, Part::ArmRight, Part::ForearmRight),
@@ -270,24 +305,30 @@ impl Stance {
             let out = Mat4::from_rotation_x(-side * (0.12 + 0.9 * spread));
             let upper = chest * shoulder * out * Mat4::from_rotation_z(angle);
             parts[arm as usize] = upper;
-            parts[forearm as usize] = upper * Mat4::from_translation(Vec3::NEG_Y * ARM) * Mat4::from_rotation_z(bend);
+            parts[forearm as usize] =
+                upper * Mat4::from_translation(Vec3::NEG_Y * ARM) * Mat4::from_rotation_z(bend);
         }
         let hand = parts[Part::ForearmLeft as usize].transform_point3(Vec3::NEG_Y * ARM);
         let dangle = -0.35 * swing + 0.1 * (self.time * 2.7).sin();
-        parts[Part::Lantern as usize] = Mat4::from_translation(hand) * Mat4::from_rotation_z(dangle);
+        parts[Part::Lantern as usize] =
+            Mat4::from_translation(hand) * Mat4::from_rotation_z(dangle);
     }
 
     /// A chain of strips that the wind of the motion lifts, each a little later than the one above.
     fn cape(&self, memory: &Memory, parts: &mut [Mat4; PARTS]) {
         let side = if memory.facing < 0.0 { -1.0 } else { 1.0 };
         // Air that streams past: back when running, up when falling. Weight pulls down.
-        let pull = Vec2::new(-memory.wind.x * side * 0.42, -memory.wind.y * 0.34) + Vec2::new(-0.35, -2.6);
+        let pull =
+            Vec2::new(-memory.wind.x * side * 0.42, -memory.wind.y * 0.34) + Vec2::new(-0.35, -2.6);
         let stream = pull.x.abs().atan2(-pull.y);
         let flutter = (memory.wind.length() / 9.0).min(1.0);
-        let mut joint = parts[Part::Chest as usize].transform_point3(Vec3::new(-0.15, SHOULDERS - 0.02, 0.0));
+        let mut joint =
+            parts[Part::Chest as usize].transform_point3(Vec3::new(-0.15, SHOULDERS - 0.02, 0.0));
         for strip in 0..CAPE {
             let late = strip as f32;
-            let wave = (self.time * (3.0 + 9.0 * flutter) - late * 1.15).sin() * (0.05 + 0.13 * flutter) * (0.4 + 0.3 * late);
+            let wave = (self.time * (3.0 + 9.0 * flutter) - late * 1.15).sin()
+                * (0.05 + 0.13 * flutter)
+                * (0.4 + 0.3 * late);
             let angle = stream * (0.72 + 0.1 * late) + wave + 0.1;
             let place = Mat4::from_translation(joint) * Mat4::from_rotation_z(-angle);
             parts[Part::Cape as usize + strip] = place;
@@ -335,13 +376,21 @@ mod tests {
     #[test]
     fn feet_stand_on_the_slope() {
         for slope in [-0.8f32, -0.3, 0.0, 0.5, 0.9] {
-            let moves = Moves { normal: Vec2::new(-slope, 1.0).normalize(), ..standing() };
+            let moves = Moves {
+                normal: Vec2::new(-slope, 1.0).normalize(),
+                ..standing()
+            };
             let pose = Memory::new(&moves).pose(&moves);
             for shin in [Part::ShinLeft, Part::ShinRight] {
                 // The figure is turned towards the viewer; along its own plane the ground rises by the slope.
                 let foot = sole(&pose, shin);
-                let forward = Mat4::from_rotation_y(THREE_QUARTERS).transform_point3(foot).x;
-                assert!((foot.y - slope * forward).abs() < 0.03, "slope {slope}: {foot}");
+                let forward = Mat4::from_rotation_y(THREE_QUARTERS)
+                    .transform_point3(foot)
+                    .x;
+                assert!(
+                    (foot.y - slope * forward).abs() < 0.03,
+                    "slope {slope}: {foot}"
+                );
             }
         }
     }
@@ -349,32 +398,63 @@ mod tests {
     #[test]
     fn the_figure_is_as_tall_as_its_collider_and_ducks_below_it() {
         let moves = standing();
-        let head = |moves: &Moves| Memory::new(moves).pose(moves).parts[Part::Head as usize].transform_point3(Vec3::Y * 0.42).y;
+        let head = |moves: &Moves| {
+            Memory::new(moves).pose(moves).parts[Part::Head as usize]
+                .transform_point3(Vec3::Y * 0.42)
+                .y
+        };
         assert!((1.55..1.75).contains(&head(&moves)), "{}", head(&moves));
-        let ducked = head(&Moves { crouched: true, ..moves });
+        let ducked = head(&Moves {
+            crouched: true,
+            ..moves
+        });
         assert!(ducked < head(&moves) - 0.25, "{ducked}");
     }
 
     #[test]
     fn steps_follow_the_ground() {
         let at = |x: f64| {
-            let moves = Moves { x, velocity: Vec2::new(8.0, 0.0), ..standing() };
+            let moves = Moves {
+                x,
+                velocity: Vec2::new(8.0, 0.0),
+                ..standing()
+            };
             let pose = Memory::new(&moves).pose(&moves);
             [Part::ShinLeft, Part::ShinRight].map(|shin| sole(&pose, shin))
         };
         for i in 0..50 {
             let x = f64::from(i) * 0.05;
-            let lowest = at(x).map(|foot| foot.y).into_iter().fold(f32::INFINITY, f32::min);
-            assert!((-0.02..0.06).contains(&lowest), "at {x} the lower foot is at {lowest}");
+            let lowest = at(x)
+                .map(|foot| foot.y)
+                .into_iter()
+                .fold(f32::INFINITY, f32::min);
+            assert!(
+                (-0.02..0.06).contains(&lowest),
+                "at {x} the lower foot is at {lowest}"
+            );
             assert!((at(x)[0] - at(x + f64::from(STRIDE))[0]).length() < 1e-3);
         }
     }
 
     #[test]
     fn a_mirrored_run_steps_alike() {
-        let right = Moves { x: 0.7, velocity: Vec2::new(8.0, 0.0), ..standing() };
-        let left = Moves { x: -0.7, velocity: Vec2::new(-8.0, 0.0), facing: -1.0, ..standing() };
-        let feet = |moves: &Moves| Memory::new(moves).pose(moves).parts.map(|part| part.transform_point3(Vec3::ZERO).y);
+        let right = Moves {
+            x: 0.7,
+            velocity: Vec2::new(8.0, 0.0),
+            ..standing()
+        };
+        let left = Moves {
+            x: -0.7,
+            velocity: Vec2::new(-8.0, 0.0),
+            facing: -1.0,
+            ..standing()
+        };
+        let feet = |moves: &Moves| {
+            Memory::new(moves)
+                .pose(moves)
+                .parts
+                .map(|part| part.transform_point3(Vec3::ZERO).y)
+        };
         for (a, b) in feet(&right).into_iter().zip(feet(&left)) {
             assert!((a - b).abs() < 1e-4, "{a} {b}");
         }
@@ -382,13 +462,24 @@ mod tests {
 
     #[test]
     fn nothing_jumps_when_the_body_turns_or_lands() {
-        let mut moves = Moves { support: Support::Air, normal: Vec2::ZERO, velocity: Vec2::new(6.0, -15.0), ..standing() };
+        let mut moves = Moves {
+            support: Support::Air,
+            normal: Vec2::ZERO,
+            velocity: Vec2::new(6.0, -15.0),
+            ..standing()
+        };
         let mut memory = Memory::new(&moves);
         let mut before = memory.pose(&moves);
         for i in 0..240 {
             moves.time += 1.0 / 240.0;
             if i == 60 {
-                moves = Moves { support: Support::Ground, normal: Vec2::Y, velocity: Vec2::new(6.0, 0.0), landed: (0.0, 15.0), ..moves };
+                moves = Moves {
+                    support: Support::Ground,
+                    normal: Vec2::Y,
+                    velocity: Vec2::new(6.0, 0.0),
+                    landed: (0.0, 15.0),
+                    ..moves
+                };
             }
             moves.facing = if i < 120 { 1.0 } else { -1.0 };
             moves.landed.0 += 1.0 / 240.0;

@@ -1,7 +1,8 @@
 //! Lines and triangles that are drawn over the scene for developers.
 
 use super::frame::{Line, Tri};
-use super::gl::{Format, Geometry, Gl};
+use super::gl::{Geometry, Gl};
+use super::state::Format;
 use super::model::pack;
 
 /// Layout of a line: one instance.

@@ -65,7 +65,12 @@ impl Facets {
                 facets.leaving[corners[i]] = e;
             }
         }
-        let twin = |e: usize| edges.get(&(facets.origin[next(e)], facets.origin[e])).copied().unwrap_or(NONE);
+        let twin = |e: usize| {
+            edges
+                .get(&(facets.origin[next(e)], facets.origin[e]))
+                .copied()
+                .unwrap_or(NONE)
+        };
         facets.twin = (0..facets.origin.len()).map(twin).collect();
         facets.restore((0..facets.origin.len()).collect());
         facets
@@ -73,7 +78,10 @@ impl Facets {
 
     /// Start and end of a half-edge.
     pub fn ends(&self, e: usize) -> (DVec2, DVec2) {
-        (self.points[self.origin[e]], self.points[self.origin[next(e)]])
+        (
+            self.points[self.origin[e]],
+            self.points[self.origin[next(e)]],
+        )
     }
 
     /// Whether free space lies on the right of a half-edge.
@@ -94,7 +102,13 @@ impl Facets {
     }
 
     /// Splits every edge longer than `longest` once; gives whether there was one.
-    fn sweep(&mut self, on_border: bool, longest: f64, gap: f64, jitter: impl Fn(DVec2) -> DVec2) -> bool {
+    fn sweep(
+        &mut self,
+        on_border: bool,
+        longest: f64,
+        gap: f64,
+        jitter: impl Fn(DVec2) -> DVec2,
+    ) -> bool {
         let before = self.points.len();
         for e in 0..self.origin.len() {
             let (a, b) = self.ends(e);
@@ -114,10 +128,23 @@ impl Facets {
         let f = self.twin[e];
         let (a, b) = self.ends(e);
         let way = |e: usize| self.points[self.origin[prev(e)]].distance((a + b) / 2.0);
-        let nearest = if f == NONE { return Some(0.0) } else { way(e).min(way(f)) };
+        let nearest = if f == NONE {
+            return Some(0.0);
+        } else {
+            way(e).min(way(f))
+        };
         let fixed = self.material[e / 3] != self.material[f / 3];
-        let height = |e: usize| (b - a).perp_dot(self.points[self.origin[prev(e)]] - a).abs() / a.distance(b);
-        let play = if fixed { 0.0 } else { height(e).min(height(f)).min(a.distance(b)) * 0.15 };
+        let height = |e: usize| {
+            (b - a)
+                .perp_dot(self.points[self.origin[prev(e)]] - a)
+                .abs()
+                / a.distance(b)
+        };
+        let play = if fixed {
+            0.0
+        } else {
+            height(e).min(height(f)).min(a.distance(b)) * 0.15
+        };
         (nearest > gap).then_some(play)
     }
 
@@ -146,7 +173,11 @@ impl Facets {
     ///     a--e--b         a-e v-g-b
     /// ```
     fn halve(&mut self, e: usize, v: usize) -> usize {
-        let (b, c, outer) = (self.origin[next(e)], self.origin[prev(e)], self.twin[next(e)]);
+        let (b, c, outer) = (
+            self.origin[next(e)],
+            self.origin[prev(e)],
+            self.twin[next(e)],
+        );
         let g = self.origin.len();
         self.add_triangle(e, [v, b, c]);
         self.start(next(e), v);
@@ -204,7 +235,8 @@ impl Facets {
         if f == NONE || self.material[e / 3] != self.material[f / 3] {
             return false;
         }
-        let [a, b, c, d] = [e, next(e), prev(e), prev(f)].map(|e| coord(self.points[self.origin[e]]));
+        let [a, b, c, d] =
+            [e, next(e), prev(e), prev(f)].map(|e| coord(self.points[self.origin[e]]));
         incircle(a, b, c, d) > 0.0 && orient2d(d, c, a) > 0.0 && orient2d(c, d, b) > 0.0
     }
 
@@ -223,7 +255,14 @@ impl Facets {
         let f = self.twin[e];
         let [b, c, a, d] = [next(e), prev(e), next(f), prev(f)].map(|e| self.origin[e]);
         let [bc, ca, ad, db] = [next(e), prev(e), next(f), prev(f)].map(|e| self.twin[e]);
-        for (edge, origin) in [(e, d), (next(e), c), (prev(e), a), (f, c), (next(f), d), (prev(f), b)] {
+        for (edge, origin) in [
+            (e, d),
+            (next(e), c),
+            (prev(e), a),
+            (f, c),
+            (next(f), d),
+            (prev(f), b),
+        ] {
             self.start(edge, origin);
         }
         for (edge, twin) in [(next(e), ca), (prev(e), ad), (next(f), db), (prev(f), bc)] {
@@ -240,12 +279,22 @@ impl Facets {
             return None;
         }
         let v = self.add_point(at);
-        let (outer, corners) = ([0, 1, 2].map(|i| self.twin[t + i]), [0, 1, 2].map(|i| self.origin[t + i]));
+        let (outer, corners) = (
+            [0, 1, 2].map(|i| self.twin[t + i]),
+            [0, 1, 2].map(|i| self.origin[t + i]),
+        );
         let n = self.origin.len();
         self.add_triangle(t, [corners[1], corners[2], v]);
         self.add_triangle(t, [corners[2], corners[0], v]);
         self.start(t + 2, v);
-        for (e, f) in [(t, outer[0]), (n, outer[1]), (n + 3, outer[2]), (t + 1, n + 2), (n + 1, n + 5), (n + 4, t + 2)] {
+        for (e, f) in [
+            (t, outer[0]),
+            (n, outer[1]),
+            (n + 3, outer[2]),
+            (t + 1, n + 2),
+            (n + 1, n + 5),
+            (n + 4, t + 2),
+        ] {
             self.link(e, f);
         }
         self.restore(vec![t, n, n + 3]);
@@ -301,7 +350,12 @@ mod tests {
     fn checked_area(facets: &Facets) -> f64 {
         for e in 0..facets.origin.len() {
             let f = facets.twin[e];
-            assert!(f == NONE || (facets.twin[f] == e && facets.ends(f) == (facets.ends(e).1, facets.ends(e).0)), "edge {e}");
+            assert!(
+                f == NONE
+                    || (facets.twin[f] == e
+                        && facets.ends(f) == (facets.ends(e).1, facets.ends(e).0)),
+                "edge {e}"
+            );
         }
         let area = |t: usize| {
             let [a, b, c] = [0, 1, 2].map(|i| facets.points[facets.origin[3 * t + i]]);
@@ -316,13 +370,22 @@ mod tests {
     fn slab() -> Facets {
         let p = |x: i32, y: i32| Point::new(x << 16, y << 16);
         let (rock, masonry) = (Material::Rock, Material::Masonry);
-        let left = [([p(0, 0), p(40, 0), p(40, 10)], rock), ([p(0, 0), p(40, 10), p(0, 10)], rock)];
-        let right = [([p(40, 0), p(50, 0), p(50, 10)], masonry), ([p(40, 0), p(50, 10), p(40, 10)], masonry)];
+        let left = [
+            ([p(0, 0), p(40, 0), p(40, 10)], rock),
+            ([p(0, 0), p(40, 10), p(0, 10)], rock),
+        ];
+        let right = [
+            ([p(40, 0), p(50, 0), p(50, 10)], masonry),
+            ([p(40, 0), p(50, 10), p(40, 10)], masonry),
+        ];
         Facets::new(&[left, right].concat())
     }
 
     fn jitter(p: DVec2) -> DVec2 {
-        DVec2::new((p.x * 91.7 + p.y * 13.1).sin(), (p.x * 37.3 - p.y * 71.9).sin())
+        DVec2::new(
+            (p.x * 91.7 + p.y * 13.1).sin(),
+            (p.x * 37.3 - p.y * 71.9).sin(),
+        )
     }
 
     #[test]
@@ -331,10 +394,13 @@ mod tests {
         facets.refine(1.3, 1.8, jitter);
         assert!((checked_area(&facets) - 1000.0).abs() < 1e-9);
         let length = |e: usize| facets.ends(e).0.distance(facets.ends(e).1);
-        let long = (0..facets.origin.len()).filter(|&e| length(e) > if facets.is_border(e) { 1.3 } else { 1.8 });
+        let long = (0..facets.origin.len())
+            .filter(|&e| length(e) > if facets.is_border(e) { 1.3 } else { 1.8 });
         assert!(long.count() * 100 < facets.origin.len());
-        let masonry = (0..facets.material.len()).filter(|&t| facets.material[t] == Material::Masonry);
-        let right = |t: usize| (0..3).all(|i| facets.points[facets.origin[3 * t + i]].x >= 40.0 - 1e-9);
+        let masonry =
+            (0..facets.material.len()).filter(|&t| facets.material[t] == Material::Masonry);
+        let right =
+            |t: usize| (0..3).all(|i| facets.points[facets.origin[3 * t + i]].x >= 40.0 - 1e-9);
         assert!(masonry.clone().count() > 50 && masonry.clone().all(right));
     }
 
@@ -342,12 +408,23 @@ mod tests {
     fn points_are_inserted_inside_and_refused_behind_borders() {
         let mut facets = slab();
         facets.refine(1.3, 4.0, jitter);
-        let border = (0..facets.origin.len()).find(|&e| facets.is_border(e)).expect("a slab has borders");
+        let border = (0..facets.origin.len())
+            .find(|&e| facets.is_border(e))
+            .expect("a slab has borders");
         let (a, b) = facets.ends(border);
         let inward = (b - a).perp().normalize();
-        assert!(facets.insert(facets.origin[border], (a + b) / 2.0 - inward * 0.3, 0.1).is_none());
-        let v = facets.insert(facets.origin[border], (a + b) / 2.0 + inward * 0.3, 0.1).expect("there is room");
+        assert!(
+            facets
+                .insert(facets.origin[border], (a + b) / 2.0 - inward * 0.3, 0.1)
+                .is_none()
+        );
+        let v = facets
+            .insert(facets.origin[border], (a + b) / 2.0 + inward * 0.3, 0.1)
+            .expect("there is room");
         assert!((checked_area(&facets) - 1000.0).abs() < 1e-9);
-        assert!((facets.depths()[v] - (0.3f64.powi(2) + (a.distance(b) / 2.0).powi(2)).sqrt()).abs() < 1e-9);
+        assert!(
+            (facets.depths()[v] - (0.3f64.powi(2) + (a.distance(b) / 2.0).powi(2)).sqrt()).abs()
+                < 1e-9
+        );
     }
 }

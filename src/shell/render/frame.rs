@@ -15,7 +15,7 @@ pub const SHADOW_TEXELS: u32 = 1024;
 const SHADOW_REACH: f32 = 22.0;
 const SHADOW_DEPTH: f32 = 70.0;
 /// Towards the key light: high on the left, a little in front, so that tops shine and fronts are modelled.
-pub const SUN: Vec3 = Vec3::new(-0.535, 0.745, 0.398);
+pub const SUN: Vec3 = Vec3::new(-0.56, 0.79, 0.25);
 
 /// Everything in one picture.
 pub struct Frame<'a> {

@@ -5,69 +5,13 @@
 //! smallest block limit that OpenGL guarantees. The context must be current on the calling thread; it is never sent away.
 #![allow(unsafe_code)]
 
+use super::state::{Blend, CompileError, Cull, Depth, Format, Stage};
 use glow::HasContext;
 use std::ops::Range;
 use std::rc::Rc;
 
 /// Bytes of every uniform buffer: the block size that each OpenGL 3.3 allows.
 const BLOCK_BYTES: usize = 16384;
-
-/// One vertex attribute; data are 32-bit words, so each format is a multiple of four bytes.
-#[derive(Clone, Copy, Debug)]
-pub enum Format {
-    /// A float.
-    F1,
-    /// Three floats.
-    F3,
-    /// Four floats.
-    F4,
-    /// Four bytes, 0 to 255 read as 0 to 1.
-    Unorm4,
-    /// Four signed bytes, -127 to 127 read as -1 to 1.
-    Snorm4,
-}
-
-impl Format {
-    /// Components, type, normalized, bytes.
-    fn parts(self) -> (i32, u32, bool, i32) {
-        match self {
-            Format::F1 => (1, glow::FLOAT, false, 4),
-            Format::F3 => (3, glow::FLOAT, false, 12),
-            Format::F4 => (4, glow::FLOAT, false, 16),
-            Format::Unorm4 => (4, glow::UNSIGNED_BYTE, true, 4),
-            Format::Snorm4 => (4, glow::BYTE, true, 4),
-        }
-    }
-}
-
-/// How the depth buffer takes part.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Depth {
-    /// Not at all.
-    Off,
-    /// Hidden fragments are dropped; nothing is written.
-    Test,
-    /// Hidden fragments are dropped; the others are written.
-    Write,
-}
-
-/// How a fragment meets the colour below it. Sources are premultiplied.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Blend {
-    /// Replaces it.
-    Off,
-    /// Covers it by its alpha; with alpha 0 it only adds light.
-    Over,
-}
-
-/// Faces that are dropped; front faces run counter-clockwise.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Cull {
-    /// None.
-    Off,
-    /// Those that look away.
-    Back,
-}
 
 /// An OpenGL context.
 #[derive(Clone)]
@@ -108,23 +52,6 @@ pub struct DepthTarget {
 /// A framebuffer that was bound by somebody else; `None` is the window.
 #[derive(Clone, Copy)]
 pub struct Target(Option<glow::Framebuffer>);
-
-/// What went wrong between source text and program.
-pub struct CompileError {
-    /// Whether the vertex shader is meant, the fragment shader, or neither (linking).
-    pub stage: Option<Stage>,
-    /// The driver's words.
-    pub log: String,
-}
-
-/// A stage of the pipeline.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Stage {
-    /// Once per vertex.
-    Vertex,
-    /// Once per fragment.
-    Fragment,
-}
 
 /// The words as bytes, in the order of this machine.
 fn bytes(words: &[u32]) -> &[u8] {
@@ -496,11 +423,6 @@ impl Geometry {
             self.ctx
                 .buffer_sub_data_u8_slice(glow::ARRAY_BUFFER, 0, data);
         }
-    }
-
-    /// Vertices (or instances) there are.
-    pub fn count(&self) -> usize {
-        self.count
     }
 }
 

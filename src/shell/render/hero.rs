@@ -54,62 +54,180 @@ fn below(part: Part) -> Part {
 fn trunk(figure: &mut Model) {
     let skirt = on(CLOTH, Part::Hips);
     figure.block(Vec3::Y * -0.16, (0.19, 0.22), (0.14, 0.17), 0.22, skirt);
-    figure.block(Vec3::Y * 0.04, (0.15, 0.18), (0.15, 0.18), 0.07, on(LEATHER, Part::Hips));
+    figure.block(
+        Vec3::Y * 0.04,
+        (0.15, 0.18),
+        (0.15, 0.18),
+        0.07,
+        on(LEATHER, Part::Hips),
+    );
     let (steel, cloth) = (on(STEEL, Part::Chest), on(CLOTH, Part::Chest));
     figure.block(Vec3::Y * 0.08, (0.13, 0.16), (0.18, 0.23), 0.30, steel);
     figure.block(Vec3::Y * 0.38, (0.18, 0.23), (0.10, 0.13), 0.13, steel);
-    figure.block(Vec3::new(0.13, 0.1, 0.0), (0.045, 0.07), (0.06, 0.09), 0.30, cloth);
-    figure.lathe(Vec3::new(-0.02, 0.44, 0.0), 7, &[(0.0, 0.21), (0.06, 0.19), (0.11, 0.11)], on(RED, Part::Chest));
+    figure.block(
+        Vec3::new(0.13, 0.1, 0.0),
+        (0.045, 0.07),
+        (0.06, 0.09),
+        0.30,
+        cloth,
+    );
+    figure.lathe(
+        Vec3::new(-0.02, 0.44, 0.0),
+        7,
+        &[(0.0, 0.21), (0.06, 0.19), (0.11, 0.11)],
+        on(RED, Part::Chest),
+    );
 }
 
 fn head(figure: &mut Model) {
     let (steel, dark) = (on(STEEL, Part::Head), on(DARK, Part::Head));
-    figure.lathe(Vec3::Y * 0.02, 8, &[(0.0, 0.145), (0.10, 0.185), (0.26, 0.18), (0.36, 0.10), (0.39, 0.0)], steel);
+    figure.lathe(
+        Vec3::Y * 0.02,
+        8,
+        &[
+            (0.0, 0.145),
+            (0.10, 0.185),
+            (0.26, 0.18),
+            (0.36, 0.10),
+            (0.39, 0.0),
+        ],
+        steel,
+    );
     // The slit for the eyes, and the ridge that parts the face.
-    figure.block(Vec3::new(0.10, 0.17, 0.0), (0.10, 0.135), (0.10, 0.135), 0.055, dark);
-    figure.block(Vec3::new(0.165, 0.04, 0.0), (0.035, 0.018), (0.035, 0.018), 0.26, on(BRASS, Part::Head));
+    figure.block(
+        Vec3::new(0.10, 0.17, 0.0),
+        (0.10, 0.135),
+        (0.10, 0.135),
+        0.055,
+        dark,
+    );
+    figure.block(
+        Vec3::new(0.165, 0.04, 0.0),
+        (0.035, 0.018),
+        (0.035, 0.018),
+        0.26,
+        on(BRASS, Part::Head),
+    );
     for eye in [-0.06, 0.06] {
         let glow = on(FLAME.glowing(0.8), Part::Head);
-        figure.block(Vec3::new(0.17, 0.18, eye), (0.036, 0.024), (0.036, 0.024), 0.034, glow);
+        figure.block(
+            Vec3::new(0.17, 0.18, eye),
+            (0.036, 0.024),
+            (0.036, 0.024),
+            0.034,
+            glow,
+        );
     }
     // A crest that streams back.
     let crest = on(RED, Part::Head);
-    figure.beam(Vec3::new(0.06, 0.39, 0.0), Vec3::new(-0.12, 0.42, 0.0), 0.035, crest);
-    figure.beam(Vec3::new(-0.10, 0.42, 0.0), Vec3::new(-0.30, 0.33, 0.0), 0.028, crest);
+    figure.beam(
+        Vec3::new(0.06, 0.39, 0.0),
+        Vec3::new(-0.12, 0.42, 0.0),
+        0.035,
+        crest,
+    );
+    figure.beam(
+        Vec3::new(-0.10, 0.42, 0.0),
+        Vec3::new(-0.30, 0.33, 0.0),
+        0.028,
+        crest,
+    );
 }
 
 fn leg(thigh: Part, figure: &mut Model) {
     let shin = below(thigh);
-    figure.block(Vec3::Y * -BONE, (0.07, 0.07), (0.095, 0.09), BONE + 0.03, on(DARK, thigh));
-    figure.block(Vec3::Y * (0.07 - BONE), (0.065, 0.07), (0.085, 0.085), BONE - 0.04, on(STEEL, shin));
-    figure.block(Vec3::new(0.01, -0.05, 0.0), (0.085, 0.085), (0.07, 0.07), 0.10, on(STEEL, shin));
-    figure.block(Vec3::new(0.05, -BONE, 0.0), (0.14, 0.085), (0.08, 0.07), 0.10, on(LEATHER, shin));
+    figure.block(
+        Vec3::Y * -BONE,
+        (0.07, 0.07),
+        (0.095, 0.09),
+        BONE + 0.03,
+        on(DARK, thigh),
+    );
+    figure.block(
+        Vec3::Y * (0.07 - BONE),
+        (0.065, 0.07),
+        (0.085, 0.085),
+        BONE - 0.04,
+        on(STEEL, shin),
+    );
+    figure.block(
+        Vec3::new(0.01, -0.05, 0.0),
+        (0.085, 0.085),
+        (0.07, 0.07),
+        0.10,
+        on(STEEL, shin),
+    );
+    figure.block(
+        Vec3::new(0.05, -BONE, 0.0),
+        (0.14, 0.085),
+        (0.08, 0.07),
+        0.10,
+        on(LEATHER, shin),
+    );
 }
 
 fn arm(upper: Part, figure: &mut Model) {
     let lower = below(upper);
-    figure.lathe(Vec3::Y * -0.10, 6, &[(0.0, 0.13), (0.09, 0.14), (0.17, 0.06)], on(STEEL, upper));
-    figure.block(Vec3::Y * -ARM, (0.05, 0.05), (0.06, 0.06), ARM - 0.05, on(DARK, upper));
-    figure.block(Vec3::Y * (0.05 - ARM), (0.06, 0.06), (0.07, 0.07), ARM - 0.05, on(STEEL, lower));
-    figure.block(Vec3::Y * (-0.04 - ARM), (0.055, 0.055), (0.055, 0.055), 0.10, on(LEATHER, lower));
+    figure.lathe(
+        Vec3::Y * -0.10,
+        6,
+        &[(0.0, 0.13), (0.09, 0.14), (0.17, 0.06)],
+        on(STEEL, upper),
+    );
+    figure.block(
+        Vec3::Y * -ARM,
+        (0.05, 0.05),
+        (0.06, 0.06),
+        ARM - 0.05,
+        on(DARK, upper),
+    );
+    figure.block(
+        Vec3::Y * (0.05 - ARM),
+        (0.06, 0.06),
+        (0.07, 0.07),
+        ARM - 0.05,
+        on(STEEL, lower),
+    );
+    figure.block(
+        Vec3::Y * (-0.04 - ARM),
+        (0.055, 0.055),
+        (0.055, 0.055),
+        0.10,
+        on(LEATHER, lower),
+    );
 }
 
 fn sword(figure: &mut Model) {
     let (hand, part) = (Vec3::Y * -ARM, Part::ForearmRight);
     let along = Vec3::new(0.80, -0.6, 0.0).normalize();
-    figure.beam(hand - along * 0.12, hand + along * 0.06, 0.022, on(LEATHER, part));
+    figure.beam(
+        hand - along * 0.12,
+        hand + along * 0.06,
+        0.022,
+        on(LEATHER, part),
+    );
     let across = Vec3::new(along.y, -along.x, 0.0) * 0.10;
     let guard = hand + along * 0.07;
     figure.beam(guard - across, guard + across, 0.022, on(BRASS, part));
     figure.beam(guard, guard + along * 0.42, 0.030, on(STEEL, part));
-    figure.beam(guard + along * 0.42, guard + along * 0.52, 0.016, on(STEEL, part));
+    figure.beam(
+        guard + along * 0.42,
+        guard + along * 0.52,
+        0.016,
+        on(STEEL, part),
+    );
 }
 
 fn lantern(figure: &mut Model) {
     let (brass, flame) = (on(BRASS, Part::Lantern), on(FLAME, Part::Lantern));
     figure.beam(Vec3::ZERO, Vec3::Y * -0.07, 0.012, brass);
     figure.lathe(Vec3::Y * -0.12, 6, &[(0.0, 0.085), (0.06, 0.0)], brass);
-    figure.lathe(Vec3::Y * -0.25, 6, &[(0.0, 0.055), (0.07, 0.075), (0.13, 0.055)], flame);
+    figure.lathe(
+        Vec3::Y * -0.25,
+        6,
+        &[(0.0, 0.055), (0.07, 0.075), (0.13, 0.055)],
+        flame,
+    );
     figure.lathe(Vec3::Y * -0.29, 6, &[(0.0, 0.06), (0.04, 0.08)], brass);
 }
 
@@ -120,7 +238,13 @@ fn cape(strip: usize, figure: &mut Model) {
     let red = RED.on(FIRST_PART + Part::Cape as u8 + strip as u8);
     let red = red.towards(paint(0x7e1c22), 0.16 * strip as f32);
     if strip + 1 < CAPE {
-        figure.block(Vec3::Y * -STRIP, (thick, width(strip + 1)), (thick, width(strip)), STRIP, red);
+        figure.block(
+            Vec3::Y * -STRIP,
+            (thick, width(strip + 1)),
+            (thick, width(strip)),
+            STRIP,
+            red,
+        );
         return;
     }
     let hem = [-0.75, 0.0, 0.8];
@@ -168,7 +292,10 @@ fn moves(view: &View) -> Moves {
         normal: view.normal.as_vec2(),
         support,
         crouched: view.crouched,
-        landed: ((view.time - view.landed_at).max(0.0) as f32, view.landed_speed as f32),
+        landed: (
+            (view.time - view.landed_at).max(0.0) as f32,
+            view.landed_speed as f32,
+        ),
     }
 }
 
@@ -186,5 +313,9 @@ pub fn write_parts(pose: &Pose, foot: Vec3, words: &mut Vec<u32>) {
 pub fn lamp(pose: &Pose, foot: Vec3, time: f64) -> PointLight {
     let seconds = time.rem_euclid(3600.0) as f32;
     let flicker = 1.0 + 0.05 * (seconds * 11.0).sin() + 0.04 * (seconds * 17.3).sin();
-    PointLight { at: foot + pose.lantern() + Vec3::Z * 0.25, reach: 6.5, colour: Vec3::new(2.6, 1.45, 0.55) * flicker }
+    PointLight {
+        at: foot + pose.lantern() + Vec3::Z * 0.25,
+        reach: 6.5,
+        colour: Vec3::new(2.6, 1.45, 0.55) * flicker,
+    }
 }

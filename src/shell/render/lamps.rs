@@ -21,7 +21,11 @@ mod tests {
 
     #[test]
     fn the_nearest_lamps_are_chosen() {
-        let lamp = |x: i32| PointLight { at: Vec3::X * x as f32, reach: 5.0, colour: Vec3::ONE };
+        let lamp = |x: i32| PointLight {
+            at: Vec3::X * x as f32,
+            reach: 5.0,
+            colour: Vec3::ONE,
+        };
         let lamps: Vec<PointLight> = (0..40).rev().map(lamp).collect();
         let mut chosen = Vec::new();
         choose(&lamps, Vec3::X * 3.2, &mut chosen);

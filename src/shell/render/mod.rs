@@ -4,6 +4,8 @@
 //! vertex in linear light, and fragments only ask for the key light's shadow. No floating-point target and no full-screen
 //! pass: each shader maps its own result to the screen (shaders/tone.glsl).
 
+mod air;
+mod backdrop;
 mod debug;
 mod error;
 mod facets;
@@ -14,18 +16,24 @@ mod lamps;
 mod model;
 mod program;
 mod scene;
+mod scenery;
+mod state;
 mod terrain;
+mod water;
 
 pub use error::RenderError;
 pub use gl::load;
 pub use frame::{CameraPose, Frame, Line, PointLight, Tri};
 
 use crate::game::Stage;
+use air::Air;
 use debug::Debug;
 use frame::FrameBlock;
-use gl::{Blend, Cull, Depth, DepthTarget, Format, Geometry, Gl, Program, Uniforms};
+use gl::{DepthTarget, Geometry, Gl, Program, Uniforms};
+use glam::Vec4;
 use hero::Hero;
 use scene::{Chunk, Scene};
+use state::{Blend, Cull, Depth, Format};
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
@@ -46,6 +54,9 @@ pub struct Renderer {
     chunks: Vec<Chunk>,
     figure: Geometry,
     hero: Hero,
+    water: Geometry,
+    water_height: f32,
+    air: Air,
     debug: Debug,
     /// All lamps of the stage, and those of the current picture.
     lamps: Vec<PointLight>,
@@ -58,7 +69,10 @@ pub struct Renderer {
 struct Programs {
     shadow: Program,
     world: Program,
+    water: Program,
     sky: Program,
+    glow: Program,
+    mote: Program,
     line: Program,
     flat: Program,
 }
@@ -69,7 +83,10 @@ impl Programs {
         Ok(Programs {
             shadow: load("shadow", "shadow")?,
             world: load("world", "world")?,
+            water: load("water", "water")?,
             sky: load("sky", "sky")?,
+            glow: load("glow", "soft")?,
+            mote: load("mote", "soft")?,
             line: load("line", "flat")?,
             flat: load("flat", "flat")?,
         })
@@ -101,6 +118,9 @@ impl Renderer {
             chunks: Vec::new(),
             figure,
             hero: Hero::default(),
+            water: water::surface(&gl)?,
+            water_height: 0.0,
+            air: Air::new(&gl)?,
             debug: Debug::new(&gl)?,
             lamps: Vec::new(),
             lit: Vec::with_capacity(frame::MAX_LIGHTS + 1),
@@ -111,11 +131,12 @@ impl Renderer {
 
     /// Replaces the world by that of a stage.
     pub fn set_stage(&mut self, stage: &Stage) {
-        let mut scene = Scene::default();
-        scene.add_near(&terrain::build(&terrain::solids(stage)));
+        let scene = Scene::of(stage);
         self.world.upload(&scene.words);
+        self.water.upload(&scene.water_words);
+        self.water_height = scene.water;
         self.chunks = scene.chunks;
-        self.lamps = scene.lights;
+        self.lamps = scene.lamps;
     }
 
     /// Reads all shaders again.
@@ -140,7 +161,9 @@ impl Renderer {
             self.gl.bind(target);
             self.gl.viewport(size.0, size.1);
             self.world_pass(&block);
+            self.water_pass();
             self.sky_pass();
+            self.air_pass();
         } else {
             self.gl.viewport(size.0, size.1);
             self.gl.fill(BACKGROUND);
@@ -166,14 +189,22 @@ impl Renderer {
         lamps::choose(&self.lamps, frame.camera.target, &mut self.lit);
         self.lit.truncate(frame::MAX_LIGHTS - 1);
         self.lit.push(hero::lamp(&pose, foot, frame.time));
+        let (puff, strength) = self.air.puff(frame.view, foot);
+        let won = frame
+            .view
+            .won_at
+            .map_or(0.0, |at| (frame.view.time - at).clamp(0.0, 1.0) as f32);
         let block = FrameBlock {
             hero: foot.extend(0.0),
+            puff,
+            scene: Vec4::new(0.0, self.water_height, won, strength),
             ..FrameBlock::new(&frame.camera, size, frame.time)
         };
         block.write(&self.lit, &mut self.words);
         self.frame_uniforms.upload(&self.words);
         hero::write_parts(&pose, foot, &mut self.words);
         self.part_uniforms.upload(&self.words);
+        self.air.upload(&self.lit, &mut self.words);
         self.debug.upload(frame.lines, frame.tris, &mut self.words);
         block
     }
@@ -210,10 +241,24 @@ impl Renderer {
         }
     }
 
+    /// The water under the level.
+    fn water_pass(&self) {
+        self.gl.state(Depth::Write, Blend::Off, Cull::Off);
+        self.gl
+            .triangles(&self.programs.water, &self.water, 0..usize::MAX);
+    }
+
     /// The sky, wherever nothing else is.
     fn sky_pass(&self) {
         self.gl.state(Depth::Test, Blend::Off, Cull::Off);
         self.gl.triangles(&self.programs.sky, &self.figure, 0..3);
+    }
+
+    /// Halos, dust, embers and puffs, over the scene but behind what is nearer.
+    fn air_pass(&self) {
+        self.gl.state(Depth::Test, Blend::Over, Cull::Off);
+        self.gl.instances(&self.programs.glow, &self.air.glows, 6);
+        self.gl.instances(&self.programs.mote, &self.air.motes, 6);
     }
 
     /// Developers' drawings, over everything.

@@ -86,11 +86,6 @@ pub struct Model {
 }
 
 impl Model {
-    /// How many vertices there are.
-    pub fn vertices(&self) -> usize {
-        self.words.len() / VERTEX_WORDS
-    }
-
     /// A facet, counter-clockwise seen from its front; `shade` darkens each corner (1 is open to the sky).
     /// A facet without area is left out.
     pub fn facet(&mut self, corners: [Vec3; 3], shade: [f32; 3], paint: Paint) {

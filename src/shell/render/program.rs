@@ -4,7 +4,8 @@
 //! the same directory. `#line` directives number the files, so that the driver's messages can be traced back.
 
 use super::RenderError;
-use super::gl::{Gl, Program, Stage};
+use super::gl::{Gl, Program};
+use super::state::Stage;
 use std::path::{Path, PathBuf};
 
 /// Uniform blocks by name, in the order of their binding points.

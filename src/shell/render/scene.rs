@@ -2,12 +2,17 @@
 
 use super::frame::PointLight;
 use super::model::{Model, VERTEX_WORDS};
-use glam::Vec3;
+use super::{backdrop, scenery, terrain, water};
+use crate::game::Stage;
+use glam::{Vec2, Vec3};
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-/// Metres of the level in one chunk.
-const CHUNK: f32 = 12.0;
+/// Metres along x in one chunk, of the level and of the distance.
+const NEAR_CHUNK: f32 = 12.0;
+const FAR_CHUNK: f32 = 60.0;
+/// Height of the water above the level's bottom: who falls out of the level is under it.
+const WATER: f32 = 1.2;
 
 /// Triangles that are drawn or skipped together.
 pub struct Chunk {
@@ -27,12 +32,43 @@ pub struct Scene {
     /// The chunks, those at the plane of play before those in the distance.
     pub chunks: Vec<Chunk>,
     /// The lamps.
-    pub lights: Vec<PointLight>,
+    pub lamps: Vec<PointLight>,
+    /// Height of the water.
+    pub water: f32,
+    /// Corners of its surface.
+    pub water_words: Vec<u32>,
 }
 
 impl Scene {
+    /// Builds the scene of a stage.
+    pub fn of(stage: &Stage) -> Scene {
+        let corners = stage
+            .level
+            .features
+            .iter()
+            .flat_map(|feature| &feature.outline)
+            .map(|p| p.as_vec2());
+        let start = stage.level.start.as_vec2();
+        let (min, max) = corners.fold((start, start), |(min, max), p: Vec2| {
+            (min.min(p), max.max(p))
+        });
+        let water = stage.level.bottom as f32 + WATER;
+        let (things, lamps) = scenery::build(&stage.level);
+        let water_words = water::corners(min, max, water);
+        let mut scene = Scene {
+            lamps,
+            water,
+            water_words,
+            ..Scene::default()
+        };
+        scene.add(&terrain::build(&terrain::solids(stage)), NEAR_CHUNK);
+        scene.add(&things, NEAR_CHUNK);
+        scene.add(&backdrop::build(min, max, water), FAR_CHUNK);
+        scene
+    }
+
     /// Appends a model, cut along x into chunks of `width` metres.
-    pub fn add(&mut self, model: &Model, width: f32) {
+    fn add(&mut self, model: &Model, width: f32) {
         let mut columns: BTreeMap<i32, Vec<u32>> = BTreeMap::new();
         for triangle in model.words.chunks_exact(3 * VERTEX_WORDS) {
             let column = (f32::from_bits(triangle[0]) / width).floor() as i32;
@@ -52,10 +88,5 @@ impl Scene {
                 max,
             });
         }
-    }
-
-    /// Appends a model of the level itself.
-    pub fn add_near(&mut self, model: &Model) {
-        self.add(model, CHUNK);
     }
 }

@@ -16,8 +16,18 @@ const FRONT: f32 = 1.0;
 const RIM: f32 = 0.26;
 /// Behind this depth the walls leave the outlines.
 const FLAT_BACK: f32 = -0.9;
-/// Where the walls are cut across, from front to back, and how far they swell there, in metres.
-const STATIONS: [(f32, f32); 5] = [(FRONT - RIM, 0.0), (FLAT_BACK, 0.0), (-2.6, 0.34), (-5.0, 0.9), (-8.5, 1.7)];
+/// Where walls of rock are cut across, from front to back, and how far they swell there, in metres.
+const ROCK: &[(f32, f32)] = &[
+    (FRONT - RIM, 0.0),
+    (FLAT_BACK, 0.0),
+    (-2.6, 0.34),
+    (-5.0, 0.9),
+    (-8.5, 1.7),
+];
+/// The same for things that were built: straight, and no deeper than they would be.
+const MASONRY: &[(f32, f32)] = &[(FRONT - RIM, 0.0), (FLAT_BACK, 0.0), (-2.4, 0.0)];
+const SMALL: &[(f32, f32)] = &[(FRONT - RIM, 0.0), (-0.6, 0.0)];
+
 /// Longest edges of facets, in metres, at the rim and within; larger where a level would need more than this many.
 const FACET: (f64, f64) = (1.25, 1.7);
 const MOST: f64 = 40_000.0;
@@ -32,24 +42,49 @@ struct Palette {
     deep: Paint,
     /// Walls and undersides.
     side: Paint,
+    /// Where the walls are cut across.
+    stations: &'static [(f32, f32)],
 }
 
 fn palette(material: Material) -> Palette {
-    let colours = |top, face, deep, side| Palette { top: paint(top), face: paint(face), deep: paint(deep), side: paint(side) };
+    let colours = |[top, face, deep, side]: [u32; 4], stations| Palette {
+        top: paint(top),
+        face: paint(face),
+        deep: paint(deep),
+        side: paint(side),
+        stations,
+    };
     match material {
-        Material::Rock => colours(0xa7a474, 0x7c7a80, 0x3d4d5e, 0x77727c),
-        Material::Masonry => colours(0xcbb492, 0xa58f7c, 0x6a6468, 0x8f7d70),
-        Material::Timber => colours(0xb28a5c, 0x86603f, 0x5c4433, 0x6e4f38),
-        Material::Iron => colours(0xa6765a, 0x75564c, 0x4a4448, 0x5a4a48),
+        Material::Rock => colours([0x9fa583, 0x6f7583, 0x30475c, 0x6c7080], ROCK),
+        Material::Masonry => colours([0xc9bda4, 0x9a9089, 0x5d6470, 0x878084], MASONRY),
+        Material::Timber => colours([0xb28a5c, 0x86603f, 0x5c4433, 0x6e4f38], SMALL),
+        Material::Iron => colours([0xa6765a, 0x75564c, 0x4a4448, 0x5a4a48], SMALL),
     }
 }
 
 /// The solid faces of a stage with what the last feature that covers them is made of.
 pub fn solids(stage: &Stage) -> Vec<([Point; 3], Material)> {
     let features = &stage.level.features;
-    let material = |face| stage.outline.cover(face).iter().rev().find_map(|&id| features.get(id as usize));
-    let solid = stage.outline.faces().filter(|&face| stage.outline.is_solid(face));
-    solid.map(|face| (stage.outline.corners(face), material(face).map_or(Material::Rock, |feature| feature.material))).collect()
+    let material = |face| {
+        stage
+            .outline
+            .cover(face)
+            .iter()
+            .rev()
+            .find_map(|&id| features.get(id as usize))
+    };
+    let solid = stage
+        .outline
+        .faces()
+        .filter(|&face| stage.outline.is_solid(face));
+    solid
+        .map(|face| {
+            (
+                stage.outline.corners(face),
+                material(face).map_or(Material::Rock, |feature| feature.material),
+            )
+        })
+        .collect()
 }
 
 /// Builds the terrain of solid triangles.
@@ -73,13 +108,19 @@ pub fn build(solids: &[([Point; 3], Material)]) -> Model {
 /// Facets' longest edges at borders and within.
 fn facet_sizes(facets: &Facets) -> (f64, f64) {
     let length = |e: usize| facets.ends(e).0.distance(facets.ends(e).1);
-    let border: f64 = (0..facets.origin.len()).filter(|&e| facets.is_border(e)).map(length).sum();
+    let border: f64 = (0..facets.origin.len())
+        .filter(|&e| facets.is_border(e))
+        .map(length)
+        .sum();
     let area = |t: usize| {
         let ((a, b), c) = (facets.ends(3 * t), facets.ends(3 * t + 2).0);
         (b - a).perp_dot(c - a) / 2.0
     };
     let area: f64 = (0..facets.material.len()).map(area).sum();
-    (FACET.0.max(border / MOST), FACET.1.max((area / MOST).sqrt()))
+    (
+        FACET.0.max(border / MOST),
+        FACET.1.max((area / MOST).sqrt()),
+    )
 }
 
 /// What is known of the vertices at which free space begins, by vertex.
@@ -92,7 +133,10 @@ struct Rims {
 
 impl Rims {
     fn of(facets: &Facets) -> Rims {
-        let mut rims = Rims { outward: vec![DVec2::ZERO; facets.points.len()], open: vec![1.0; facets.points.len()] };
+        let mut rims = Rims {
+            outward: vec![DVec2::ZERO; facets.points.len()],
+            open: vec![1.0; facets.points.len()],
+        };
         let mut arriving = vec![DVec2::ZERO; facets.points.len()];
         let borders = || (0..facets.origin.len()).filter(|&e| facets.is_border(e));
         let along = |e: usize| (facets.ends(e).1 - facets.ends(e).0).normalize_or_zero();
@@ -114,8 +158,13 @@ impl Rims {
 
     /// Adds the vertices at which the front bends down to the rim: one inside of each border vertex.
     fn bend(&self, facets: &mut Facets) {
-        let starts: Vec<usize> = (0..facets.origin.len()).filter(|&e| facets.is_border(e)).collect();
-        let spots: Vec<(usize, f64)> = starts.iter().map(|&e| (facets.origin[e], self.mitre(facets, e))).collect();
+        let starts: Vec<usize> = (0..facets.origin.len())
+            .filter(|&e| facets.is_border(e))
+            .collect();
+        let spots: Vec<(usize, f64)> = starts
+            .iter()
+            .map(|&e| (facets.origin[e], self.mitre(facets, e)))
+            .collect();
         for (v, mitre) in spots {
             let inward = self.outward[v] * f64::from(-RIM) * mitre;
             facets.insert(v, facets.points[v] + inward, f64::from(RIM) * 0.6);
@@ -145,7 +194,9 @@ fn add_front(facets: &Facets, model: &mut Model) {
         let colours = palette(facets.material[t]);
         let depth = vertices.iter().map(|&v| depths[v] as f32).sum::<f32>() / 3.0;
         let face = colours.face.towards(colours.deep, smooth(0.2, 4.5, depth));
-        let normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalize_or_zero();
+        let normal = (corners[1] - corners[0])
+            .cross(corners[2] - corners[0])
+            .normalize_or_zero();
         let tinted = strata(face, (corners[0] + corners[1] + corners[2]) / 3.0);
         let shade = vertices.map(|v| 1.0 - 0.45 * smooth(0.0, 6.0, depths[v] as f32));
         model.facet(corners, shade, weathered(tinted, &colours, normal));
@@ -154,8 +205,8 @@ fn add_front(facets: &Facets, model: &mut Model) {
 
 /// The walls: from the rims back into the depth.
 fn add_walls(facets: &Facets, rims: &Rims, model: &mut Model) {
-    let place = |v: usize, station: usize| {
-        let (p, (z, swell)) = (facets.points[v].as_vec2(), STATIONS[station]);
+    let place = |v: usize, (z, swell): (f32, f32)| {
+        let p = facets.points[v].as_vec2();
         let flat = p.extend(z);
         let amount = swell * (0.35 + 0.65 * hash(flat, 6));
         (p + rims.outward[v].as_vec2() * amount).extend(z - swell.min(1.0) * 0.8 * hash(flat, 7))
@@ -163,10 +214,16 @@ fn add_walls(facets: &Facets, rims: &Rims, model: &mut Model) {
     for e in (0..facets.origin.len()).filter(|&e| facets.is_border(e)) {
         let (a, b) = (facets.origin[e], facets.origin[next(e)]);
         let colours = palette(facets.material[e / 3]);
-        for station in 1..STATIONS.len() {
-            let corners = [place(a, station - 1), place(a, station), place(b, station), place(b, station - 1)];
-            let dim = |station: usize| 1.0 - 0.10 * station.saturating_sub(1) as f32;
-            let shades = [(a, station - 1), (a, station), (b, station), (b, station - 1)].map(|(v, s)| rims.open[v] * dim(s));
+        for (station, pair) in colours.stations.windows(2).enumerate() {
+            let corners = [
+                place(a, pair[0]),
+                place(a, pair[1]),
+                place(b, pair[1]),
+                place(b, pair[0]),
+            ];
+            let dim = |further: usize| 1.0 - 0.10 * (station + further).saturating_sub(1) as f32;
+            let shades =
+                [(a, 0), (a, 1), (b, 1), (b, 0)].map(|(v, further)| rims.open[v] * dim(further));
             add_wall_piece(corners, shades, &colours, model);
         }
     }
@@ -174,12 +231,25 @@ fn add_walls(facets: &Facets, rims: &Rims, model: &mut Model) {
 
 /// Two facets of a wall; the diagonal runs either way.
 fn add_wall_piece(corners: [Vec3; 4], shades: [f32; 4], colours: &Palette, model: &mut Model) {
-    let halves = if hash(corners[0] + corners[2], 8) < 0.5 { [[0, 1, 2], [0, 2, 3]] } else { [[0, 1, 3], [1, 2, 3]] };
+    let halves = if hash(corners[0] + corners[2], 8) < 0.5 {
+        [[0, 1, 2], [0, 2, 3]]
+    } else {
+        [[0, 1, 3], [1, 2, 3]]
+    };
     for half in halves {
         let triangle = half.map(|i| corners[i]);
-        let normal = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]).normalize_or_zero();
-        let side = strata(colours.side, (triangle[0] + triangle[1] + triangle[2]) / 3.0);
-        model.facet(triangle, half.map(|i| shades[i]), weathered(side, colours, normal));
+        let normal = (triangle[1] - triangle[0])
+            .cross(triangle[2] - triangle[0])
+            .normalize_or_zero();
+        let side = strata(
+            colours.side,
+            (triangle[0] + triangle[1] + triangle[2]) / 3.0,
+        );
+        model.facet(
+            triangle,
+            half.map(|i| shades[i]),
+            weathered(side, colours, normal),
+        );
     }
 }
 
@@ -187,13 +257,19 @@ fn add_wall_piece(corners: [Vec3; 4], shades: [f32; 4], colours: &Palette, model
 fn strata(base: Paint, at: Vec3) -> Paint {
     let height = at.y + at.x * 0.07 + (at.x * 0.21).sin() * 0.5;
     let tone = hash(Vec3::new(0.0, (height / 1.9).floor(), 0.0), 9) - 0.5;
-    Paint { colour: base.colour * (1.0 + 0.16 * tone), ..base }
+    Paint {
+        colour: base.colour * (1.0 + 0.16 * tone),
+        ..base
+    }
 }
 
 /// What looks up is overgrown or worn pale, what looks down stays dark.
 fn weathered(base: Paint, colours: &Palette, normal: Vec3) -> Paint {
     let up = base.towards(colours.top, smooth(0.3, 0.7, normal.y));
-    Paint { colour: up.colour * (1.0 - 0.35 * smooth(0.2, 0.9, -normal.y)), ..up }
+    Paint {
+        colour: up.colour * (1.0 - 0.35 * smooth(0.2, 0.9, -normal.y)),
+        ..up
+    }
 }
 
 /// 0 below `from`, 1 above `to`, without a bend at either.

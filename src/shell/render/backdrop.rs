@@ -1,0 +1,105 @@
+//! What lies behind the level: the terraces of the quarry, stacks in the water, and cliffs that fade into the haze.
+//!
+//! All of it is real depth, so that it moves against the level as the camera does. It is made from the level's extent
+//! alone, and is the same for the same level.
+
+use super::model::{Model, Paint, hash, paint};
+use glam::{Vec2, Vec3};
+
+/// A row of cliffs: how far away, how tall above the water, how wide a step, and what they are made of.
+struct Row {
+    depth: f32,
+    height: f32,
+    step: f32,
+    colour: Paint,
+}
+
+const ROWS: [Row; 3] = [
+    Row {
+        depth: -62.0,
+        height: 22.0,
+        step: 9.0,
+        colour: paint(0x767688).varied(0.10),
+    },
+    Row {
+        depth: -115.0,
+        height: 44.0,
+        step: 15.0,
+        colour: paint(0x6d7088).varied(0.10),
+    },
+    Row {
+        depth: -200.0,
+        height: 78.0,
+        step: 26.0,
+        colour: paint(0x666b88).varied(0.10),
+    },
+];
+
+/// Builds it for a level between two corners, over water of a height.
+pub fn build(min: Vec2, max: Vec2, water: f32) -> Model {
+    let mut model = Model::default();
+    for (index, row) in ROWS.iter().enumerate() {
+        let beyond = 40.0 - row.depth * 0.9;
+        let (first, last) = (
+            ((min.x - beyond) / row.step) as i32,
+            ((max.x + beyond) / row.step) as i32,
+        );
+        for cell in first..=last {
+            let seed = Vec3::new(cell as f32, index as f32, 0.0);
+            mesa(row, seed, water, &mut model);
+        }
+    }
+    model
+}
+
+/// One cliff: benches cut back one above the other; some cells are gaps, through which the rows behind are seen.
+fn mesa(row: &Row, seed: Vec3, water: f32, model: &mut Model) {
+    let chance = |salt: u32| hash(seed, 60 + salt);
+    if chance(0) < 0.22 {
+        return;
+    }
+    let benches = 2 + (chance(1) * 3.0) as usize;
+    let height =
+        row.height * (0.35 + 0.65 * chance(2) * chance(3).sqrt()) * (0.6 + 0.8 * chance(4));
+    let mut half = Vec2::new(row.step * (0.55 + 0.45 * chance(5)), row.step * 0.8);
+    let centre = Vec3::new(
+        (seed.x + chance(6)) * row.step,
+        water - 6.0,
+        row.depth - row.step * chance(7),
+    );
+    let mut ring = outline(centre, half, seed, 0);
+    for bench in 0..benches {
+        let top = water + height * (bench as f32 + 1.0) / benches as f32;
+        let wall: Vec<Vec3> = ring.iter().map(|p| Vec3::new(p.x, top, p.z)).collect();
+        model.band(&ring, &wall, row.colour);
+        let ledge = row.colour.towards(paint(0x9aa08a), 0.5);
+        half *= 0.62 + 0.2 * hash(seed, 70 + bench as u32);
+        let shift = Vec3::new(
+            (hash(seed, 80 + bench as u32) - 0.5) * half.x * 0.5,
+            0.0,
+            -half.y * 0.25,
+        );
+        let next = outline(
+            Vec3::new(centre.x, top, centre.z) + shift,
+            half,
+            seed,
+            bench as u32 + 1,
+        );
+        if bench + 1 == benches {
+            model.cap(&wall, ledge);
+        } else {
+            model.band(&wall, &next, ledge);
+        }
+        ring = next;
+    }
+}
+
+/// A rough seven-sided outline, counter-clockwise seen from above.
+fn outline(centre: Vec3, half: Vec2, seed: Vec3, salt: u32) -> Vec<Vec3> {
+    let corner = |i: u32| {
+        let (sin, cos) = (std::f32::consts::TAU * (i as f32 + 0.3) / 7.0).sin_cos();
+        let reach = 0.8 + 0.35 * hash(seed, 90 + 11 * salt + i);
+        centre + Vec3::new(cos * half.x, 0.0, -sin * half.y) * reach
+    };
+    (0..7).map(corner).collect()
+}

@@ -1,0 +1,76 @@
+//! Plain values that [`super::gl`] speaks in: formats of vertices, how fragments are written, errors of compilers.
+
+/// One vertex attribute; data are 32-bit words, so each format is a multiple of four bytes.
+#[derive(Clone, Copy, Debug)]
+pub enum Format {
+    /// A float.
+    F1,
+    /// Three floats.
+    F3,
+    /// Four floats.
+    F4,
+    /// Four bytes, 0 to 255 read as 0 to 1.
+    Unorm4,
+    /// Four signed bytes, -127 to 127 read as -1 to 1.
+    Snorm4,
+}
+
+impl Format {
+    /// How OpenGL reads it: components, type, whether integers are normalized, bytes.
+    pub fn parts(self) -> (i32, u32, bool, i32) {
+        match self {
+            Format::F1 => (1, glow::FLOAT, false, 4),
+            Format::F3 => (3, glow::FLOAT, false, 12),
+            Format::F4 => (4, glow::FLOAT, false, 16),
+            Format::Unorm4 => (4, glow::UNSIGNED_BYTE, true, 4),
+            Format::Snorm4 => (4, glow::BYTE, true, 4),
+        }
+    }
+}
+
+/// How the depth buffer takes part.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Depth {
+    /// Not at all.
+    Off,
+    /// Hidden fragments are dropped; nothing is written.
+    Test,
+    /// Hidden fragments are dropped; the others are written.
+    Write,
+}
+
+/// How a fragment meets the colour below it. Sources are premultiplied.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Blend {
+    /// Replaces it.
+    Off,
+    /// Covers it by its alpha; with alpha 0 it only adds light.
+    Over,
+}
+
+/// Faces that are dropped; front faces run counter-clockwise.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Cull {
+    /// None.
+    Off,
+    /// Those that look away.
+    Back,
+}
+
+/// What went wrong between source text and program.
+pub struct CompileError {
+    /// Whether the vertex shader is meant, the fragment shader, or neither (linking).
+    pub stage: Option<Stage>,
+    /// The driver's words.
+    pub log: String,
+}
+
+/// A stage of the pipeline.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Stage {
+    /// Once per vertex.
+    Vertex,
+    /// Once per fragment.
+    Fragment,
+}
+
