@@ -31,6 +31,6 @@ mod tests {
         choose(&lamps, Vec3::X * 3.2, &mut chosen);
         assert_eq!(chosen.len(), MAX_LIGHTS);
         assert_eq!(chosen[0].at.x, 3.0);
-        assert!(chosen.iter().all(|lamp| lamp.at.x < 12.5));
+        assert!(chosen.iter().all(|lamp| lamp.at.x < 15.5));
     }
 }
