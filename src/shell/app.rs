@@ -17,7 +17,8 @@ use crate::cli::{Options, files};
 use crate::game::camera::Pose;
 use crate::tune::Tuning;
 use sdl2::event::{Event, EventSender, WindowEvent};
-use std::path::Path;
+use std::io::Write;
+use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 const SHADERS: &str = "shaders";
@@ -48,6 +49,7 @@ pub struct App {
     pub(super) scale: f64,
     pub(super) quit: bool,
     shader_files: Watch,
+    levels: Vec<PathBuf>,
     disk: Timer,
     stats: Stats,
     mesh_picture: MeshPicture,
@@ -96,6 +98,7 @@ impl App {
             scale: 1.0,
             quit: false,
             shader_files,
+            levels: levels::list(),
             disk: Timer::default(),
             stats: Stats::default(),
             mesh_picture: MeshPicture::default(),
@@ -132,11 +135,14 @@ impl App {
     /// # Errors
     /// The recording cannot be written.
     pub fn finish(&mut self) -> Result<(), ShellError> {
-        println!("{}", self.play.summary);
-        match self.recorder.take() {
-            Some(recorder) => recorder.write(),
+        let written = self.recorder.take().map(Recorder::write).transpose()?;
+        let mut out = std::io::stdout().lock();
+        let said = writeln!(out, "{}", self.play.summary).and_then(|()| match written {
+            Some(text) => writeln!(out, "{text}"),
             None => Ok(()),
-        }
+        });
+        drop(said); // whoever was to read it may have gone
+        Ok(())
     }
 
     /// One frame, `elapsed` after the last: input, files, ticks, picture.
@@ -284,15 +290,12 @@ impl App {
     fn draw(&mut self) -> Result<Vec<Edit>, ShellError> {
         let share = self.clock.share();
         let (view, pose) = (self.play.view(share), self.play.pose(share, &self.tuning));
-        let drawing = match self.overlay.open || self.overlay.show.mesh {
-            true => Drawing::new(
-                self.overlay.show,
-                &self.play,
-                &self.mesh_picture,
-                &view,
-                &pose,
-            ),
-            false => Drawing::default(),
+        let pixels = self.platform.pixels();
+        let drawing = if self.overlay.open || self.overlay.show.mesh {
+            let (show, mesh) = (self.overlay.show, &self.mesh_picture);
+            Drawing::new(show, &self.play, mesh, &view, &pose).scaled_to(pixels.1)
+        } else {
+            Drawing::default()
         };
         let frame = Frame {
             view: &view,
@@ -302,7 +305,7 @@ impl App {
             tris: &drawing.tris,
             show_world: !(self.overlay.open && self.overlay.show.hide_world),
         };
-        self.renderer.draw(&frame, self.platform.pixels());
+        self.renderer.draw(&frame, pixels);
         self.platform.show_mouse(self.overlay.open);
         let is_over = self.feed.is_over();
         let info = Info {
@@ -311,7 +314,7 @@ impl App {
             tuning: &self.tuning,
             tuning_path: self.tuning_file.path(),
             level_path: self.level_file.path(),
-            levels: &levels::list(),
+            levels: &self.levels,
             mesh_size: self.mesh_picture.size(),
             stats: &self.stats,
             notices: &self.notices,
@@ -337,6 +340,9 @@ impl App {
 
     /// Reads again what has changed on disk; what is broken says why, and the last good state goes on.
     fn reload_changed(&mut self) {
+        if self.overlay.open {
+            self.levels = levels::list();
+        }
         if self.tuning_file.changed() {
             self.load_tuning();
         }

@@ -1,9 +1,10 @@
 //! The shell: window, input, picture, overlay. Everything that needs SDL2, OpenGL or ImGui is in this folder.
 //!
 //! In reading order: [`app`] (the frame, as a sequence), [`platform`] (the window), [`input`] and [`pads`] (devices),
-//! [`clock`] (time to ticks), [`play`] (a world being played), [`edits`] (what the overlay may ask for),
-//! [`reload`] (files that change), [`capture`] (pictures as files), [`overlay`] (panels, drawings, heads-up
-//! display), [`render`] (the picture).
+//! [`clock`] (time to ticks), [`runs`] (from player or replay, recorded or not), [`play`] (a world being played),
+//! [`edits`] (what the overlay may ask for), [`reload`] (files that change), [`levels`] (those to choose from),
+//! [`notices`] (what went wrong), [`capture`] (pictures as files), [`overlay`] (panels, drawings, heads-up display),
+//! [`render`] (the picture).
 
 pub mod app;
 pub mod capture;

@@ -213,21 +213,17 @@ impl Recorder {
         was_going_on
     }
 
-    /// Writes the file.
+    /// Writes the file; says what was written.
     ///
     /// # Errors
     /// The file cannot be written.
-    pub fn write(self) -> Result<(), ShellError> {
+    pub fn write(self) -> Result<String, FileError> {
         files::write_atomic(&self.path, self.replay.to_text().as_bytes())?;
         let reason = self
             .ended
             .map(|reason| format!(" (ended when {reason})"))
             .unwrap_or_default();
-        println!(
-            "recorded  {} ticks to {}{reason}",
-            self.replay.ticks(),
-            self.path.display()
-        );
-        Ok(())
+        let (ticks, path) = (self.replay.ticks(), self.path.display());
+        Ok(format!("recorded  {ticks} ticks to {path}{reason}"))
     }
 }

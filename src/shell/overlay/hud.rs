@@ -12,11 +12,13 @@ const HINT: [f64; 3] = [1.2, 8.0, 9.5];
 const GOAL: f64 = 0.6;
 
 const WHITE: [f32; 3] = [0.96, 0.95, 0.92];
+const WARM: [f32; 3] = [ACCENT[0], ACCENT[1], ACCENT[2]];
 
 /// Where text goes, and how.
 struct Pen<'a> {
     ui: &'a Ui,
     list: DrawListMut<'a>,
+    left: f32, // what a panel covers
     size: [f32; 2],
 }
 
@@ -29,7 +31,7 @@ impl Pen<'_> {
         let _font = self.ui.push_font(font);
         let [width, line] = self.ui.calc_text_size(text);
         let place = [
-            ((self.size[0] - width) / 2.0).round(),
+            ((self.left + self.size[0] - width) / 2.0).round(),
             (self.size[1] * height - line / 2.0).round(),
         ];
         let offset = (line / 16.0).max(1.0);
@@ -50,49 +52,64 @@ impl Pen<'_> {
     }
 }
 
-/// Draws over the world and below the panels.
-pub fn draw(ui: &Ui, fonts: Fonts, info: &Info) {
+/// Draws over the world and below the panels; `left` is the width that a panel covers.
+pub fn draw(ui: &Ui, fonts: Fonts, info: &Info, left: f32) {
+    let size = ui.io().display_size;
+    let list = ui.get_background_draw_list();
     let pen = Pen {
         ui,
-        list: ui.get_background_draw_list(),
-        size: ui.io().display_size,
+        list,
+        left,
+        size,
     };
-    let now = info.view.time;
-    let warm = [ACCENT[0], ACCENT[1], ACCENT[2]];
-    if let Some(won) = info.view.won_at {
-        let alpha = ((now - won) / GOAL).clamp(0.0, 1.0) as f32;
-        pen.centred(fonts.title, "You reached the goal", 0.24, warm, alpha);
-        pen.centred(
-            fonts.body,
-            &format!("{}    R  once more", clock(won - info.play.began_at)),
-            0.315,
-            WHITE,
-            alpha,
-        );
-    } else {
-        pen.centred(
-            fonts.title,
-            &info.play.summary.level,
-            0.24,
-            WHITE,
-            shown(now, TITLE),
-        );
-        pen.centred(fonts.body, hint(info), 0.93, WHITE, 0.85 * shown(now, HINT));
-    }
-    if let (true, Some(reason)) = (info.paused, info.pause_notice) {
-        pen.veil(0.45);
-        pen.centred(fonts.title, reason, 0.44, WHITE, 1.0);
-        pen.centred(
-            fonts.body,
-            "Esc  go on      R  restart      F1  tools      Q  quit",
-            0.53,
-            WHITE,
-            0.9,
-        );
+    match (info.paused, info.pause_notice, info.view.won_at) {
+        (true, Some(reason), _) => pause(&pen, fonts, info, reason),
+        (_, _, Some(won)) => goal(&pen, fonts, info, won),
+        _ => beginning(&pen, fonts, info),
     }
     if let Some((text, alpha)) = info.notices.notice() {
-        pen.centred(fonts.body, text, 0.07, warm, alpha);
+        pen.centred(fonts.body, text, 0.07, WARM, alpha);
     }
+}
+
+/// Where we are, and what the keys are.
+fn beginning(pen: &Pen, fonts: Fonts, info: &Info) {
+    let now = info.view.time;
+    pen.centred(
+        fonts.title,
+        &info.play.summary.level,
+        0.24,
+        WHITE,
+        shown(now, TITLE),
+    );
+    if pen.left == 0.0 {
+        pen.centred(fonts.body, hint(info), 0.93, WHITE, 0.85 * shown(now, HINT));
+    }
+}
+
+fn goal(pen: &Pen, fonts: Fonts, info: &Info, won: f64) {
+    let alpha = ((info.view.time - won) / GOAL).clamp(0.0, 1.0) as f32;
+    let time = clock(won - info.play.began_at);
+    let again = if info.pads > 0 { "Back" } else { "R" };
+    pen.centred(fonts.title, "You reached the goal", 0.24, WARM, alpha);
+    pen.centred(
+        fonts.body,
+        &format!("{time}      {again}  once more"),
+        0.315,
+        WHITE,
+        alpha,
+    );
+}
+
+fn pause(pen: &Pen, fonts: Fonts, info: &Info, reason: &str) {
+    let keys = if info.pads > 0 {
+        "Start  go on      Back  restart      Q  quit"
+    } else {
+        "Esc  go on      R  restart      F1  tools      Q  quit"
+    };
+    pen.veil(0.45);
+    pen.centred(fonts.title, reason, 0.24, WHITE, 1.0);
+    pen.centred(fonts.body, keys, 0.315, WHITE, 0.9);
 }
 
 /// A small panel for what is broken, over everything, whether or not the overlay is open.

@@ -186,7 +186,8 @@ impl Overlay {
             .prepare_frame(&mut self.context, &window.window, &window.events);
         let mut edits = Vec::new();
         let ui = self.context.new_frame();
-        hud::draw(ui, self.fonts, info);
+        let covered = if self.open { panel::width(ui) } else { 0.0 };
+        hud::draw(ui, self.fonts, info, covered);
         if self.open {
             panel::draw(ui, &mut self.panel, info, &mut self.show, &mut edits);
         } else {

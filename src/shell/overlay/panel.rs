@@ -18,10 +18,14 @@ pub struct Panel {
     filter: String,
 }
 
+/// How much of the picture's width the panel covers.
+pub fn width(ui: &Ui) -> f32 {
+    size(ui, WIDTH).min(ui.io().display_size[0] * SHARE)
+}
+
 /// Draws the panel; adds what was asked for to `edits`.
 pub fn draw(ui: &Ui, panel: &mut Panel, info: &Info, show: &mut Show, edits: &mut Vec<Edit>) {
-    let [width, height] = ui.io().display_size;
-    let docked = [size(ui, WIDTH).min(width * SHARE), height];
+    let docked = [width(ui), ui.io().display_size[1]];
     let mut open = true;
     ui.window("Edgewalker")
         .position([0.0; 2], Condition::Always)
@@ -58,10 +62,8 @@ fn sections(ui: &Ui, panel: &mut Panel, info: &Info, show: &mut Show, edits: &mu
         ui.input_text("##filter", &mut panel.filter)
             .hint("filter by name or sentence")
             .build();
-        for (name, group) in [("Motion", Group::Motion), ("Camera", Group::Camera)] {
-            let _id = ui.push_id(name);
-            ui.text_colored(FAINT, name);
-            tunables::rows(ui, group, info.tuning, &panel.filter, edits);
+        for titled in [("Motion", Group::Motion), ("Camera", Group::Camera)] {
+            tunables::rows(ui, titled, info.tuning, &panel.filter, edits);
         }
     }
     if begins_closed("Graphs") {

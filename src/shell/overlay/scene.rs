@@ -8,10 +8,10 @@ use crate::shell::play::Play;
 use crate::shell::render::{Line, Tri};
 use glam::{DVec2, Vec3};
 
-const FREE_EDGE: [f32; 4] = [0.75, 0.85, 1.0, 0.22];
+const FREE_EDGE: [f32; 4] = [0.75, 0.85, 1.0, 0.3];
 const WALL_EDGE: [f32; 4] = [1.0, 0.78, 0.35, 0.95];
 const INNER_EDGE: [f32; 4] = [0.62, 0.55, 0.85, 0.55];
-const SOLID: [f32; 4] = [0.95, 0.45, 0.25, 0.13];
+const SOLID: [f32; 4] = [0.95, 0.40, 0.20, 0.20];
 const FACE: [f32; 4] = [0.35, 0.95, 0.65, 0.22];
 const PLACE: [f32; 4] = [0.35, 1.0, 0.65, 1.0];
 const NORMAL: [f32; 4] = [0.35, 0.85, 1.0, 1.0];
@@ -21,6 +21,8 @@ const PATH: [f32; 4] = [1.0, 1.0, 1.0, 0.75];
 /// Metres of arrow per m/s, and of the normal.
 const VELOCITY_SCALE: f64 = 0.15;
 const NORMAL_LENGTH: f64 = 1.0;
+/// Height of a picture, in pixels, in which lines have the widths that are written here.
+const USUAL_HEIGHT: f32 = 720.0;
 /// Metres around what the camera sees in which edges are drawn as well.
 const MARGIN: f64 = 2.0;
 /// Widest picture that is provided for, as width over height.
@@ -179,6 +181,13 @@ impl Drawing {
             out.arrow(view.position, view.normal * NORMAL_LENGTH, NORMAL);
         }
         out
+    }
+
+    /// The same for a picture so many pixels high: what is bold stays bold on a fine display.
+    pub fn scaled_to(mut self, height: u32) -> Drawing {
+        let scale = (height as f32 / USUAL_HEIGHT).max(1.0);
+        self.lines.iter_mut().for_each(|line| line.width *= scale);
+        self
     }
 
     fn place(&mut self, world: &World) {

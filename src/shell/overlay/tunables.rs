@@ -47,11 +47,24 @@ fn changes(tuning: &Tuning) -> usize {
     count(Motion::META, tuning.motion.values()) + count(Camera::META, tuning.camera.values())
 }
 
-/// The rows of a group, those whose name or sentence contains the filter.
-pub fn rows(ui: &Ui, group: Group, tuning: &Tuning, filter: &str, edits: &mut Vec<Edit>) {
+/// The rows of a group, those whose name or sentence contains the filter, below the group's title.
+pub fn rows(
+    ui: &Ui,
+    (title, group): (&str, Group),
+    tuning: &Tuning,
+    filter: &str,
+    edits: &mut Vec<Edit>,
+) {
+    let _id = ui.push_id(title);
     let filter = filter.trim().to_lowercase();
+    let matches = |meta: &Meta| {
+        label(meta).contains(&filter) || meta.sentence.to_lowercase().contains(&filter)
+    };
+    if group.meta().iter().any(matches) {
+        ui.text_colored(FAINT, title);
+    }
     for (index, (meta, value)) in group.meta().iter().zip(group.values(tuning)).enumerate() {
-        if !meta.name.contains(&filter) && !meta.sentence.to_lowercase().contains(&filter) {
+        if !matches(meta) {
             continue;
         }
         let _id = ui.push_id_usize(index);
@@ -69,7 +82,7 @@ pub fn rows(ui: &Ui, group: Group, tuning: &Tuning, filter: &str, edits: &mut Ve
 fn row(ui: &Ui, meta: &Meta, value: f64) -> Option<f64> {
     let is_changed = value != meta.default;
     ui.align_text_to_frame_padding();
-    let name = meta.name.replace('_', " ");
+    let name = label(meta);
     if is_changed {
         ui.text_colored(ACCENT, name);
     } else {
@@ -102,7 +115,7 @@ fn row(ui: &Ui, meta: &Meta, value: f64) -> Option<f64> {
 
 /// What a tunable does, where the mouse is.
 fn explain(ui: &Ui, meta: &Meta) {
-    if !ui.is_item_hovered() {
+    if !ui.is_item_hovered() || ui.is_item_active() {
         return;
     }
     ui.tooltip(|| {
@@ -153,6 +166,11 @@ fn choice(ui: &Ui, meta: &Meta, value: f64) -> Option<f64> {
     let mut index = (value.round() as usize).min(meta.choices.len() - 1);
     let has_changed = ui.combo_simple_string("##value", &mut index, meta.choices);
     has_changed.then_some(index as f64)
+}
+
+/// The name as it is printed.
+fn label(meta: &Meta) -> String {
+    meta.name.replace('_', " ")
 }
 
 /// The unit as it is printed.
