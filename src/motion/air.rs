@@ -4,7 +4,7 @@ use super::body::{Air, Body, EventKind, Mode, Next, Surface, Terrain, Trace, Wed
 use super::law;
 use super::roots::exit;
 use super::track::{Track, delta, walkable};
-use super::vertex::{Bearing, Sector, sector, segment_at};
+use super::vertex::{Bearing, JOINT_STEPS, Sector, sector, segment_at};
 use crate::geom::{Point, STEP};
 use crate::mesh::{EdgeId, Mesh, SegmentId, VertexId};
 use crate::tune::Motion;
@@ -125,7 +125,20 @@ impl Body {
         }
         let ends = [mesh.origin(edge), mesh.dest(edge)].map(|v| track.parameter_of(mesh.point(v)));
         let s = track.parameter(at).clamp(ends[0].min(ends[1]), ends[0].max(ends[1]));
-        self.settle(segment, edge, s, track.tangent.dot(v), into, terrain, trace);
+        let along = track.tangent * track.tangent.dot(v);
+        let u = if self.is_held_between(at, along, mesh) { 0.0 } else { track.tangent.dot(v) };
+        self.settle(segment, edge, s, u, into, terrain, trace);
+    }
+
+    /// Whether the velocity that one blocking edge leaves goes into another one, which the body has just left and is not yet
+    /// apart from by more than a joint: the solution for two edges at once is rest. Without it a body that rises into a
+    /// crevice is thrown from side to side ever faster.
+    fn is_held_between(&self, at: DVec2, v: DVec2, mesh: &Mesh) -> bool {
+        let Mode::Air(air) = &self.mode else { return false };
+        air.touching.iter().flatten().any(|&s| {
+            let (height, away, _) = Track::of(mesh.segment(s)).height(at, v, DVec2::ZERO);
+            height <= f64::from(JOINT_STEPS) * STEP && away < 0.0
+        })
     }
 
     /// Comes to a surface, at a parameter, with a speed along it and a speed into it. Ground is landed on; what cannot be

@@ -164,20 +164,20 @@ impl Body {
 
     /// Chooses the constant accelerations of the piece that starts now, and when they stop to hold.
     fn choose_law(&mut self, terrain: &Terrain) {
-        let (t, control, now) = (terrain.tuning, self.control, self.time);
-        let limit = |law: law::Law, speed: f64| law.until.zip(law.time_left(speed)).map(|(until, left)| (now + left, until));
+        let (t, control) = (terrain.tuning, self.control);
+        let limit = |from: f64, law: law::Law, speed: f64| law.until.zip(law.time_left(speed)).map(|(until, left)| (from + left, until));
         match &mut self.mode {
             Mode::Air(air) => {
                 let (x, y) = (law::steer(air.v0.x, &control, t), law::fall(air.v0.y, &control, t));
                 air.accel = DVec2::new(x.accel, y.accel);
-                air.limits = [limit(x, air.v0.x), limit(y, air.v0.y)];
+                air.limits = [limit(air.t0, x, air.v0.x), limit(air.t0, y, air.v0.y)];
             }
             Mode::Surface(on) if on.walkable => {
                 // The wish counts along x; the parameter of ground steeper than 45 degrees along y.
                 let x = if on.track.tangent.x < 0.0 { -1.0 } else { 1.0 };
                 let law = law::run(on.u0 * x, &control, self.size == Size::Crouch, t);
                 on.accel = law.accel * x;
-                on.limit = limit(law, on.u0 * x).map(|(at, until)| (at, until * x));
+                on.limit = limit(on.t0, law, on.u0 * x).map(|(at, until)| (at, until * x));
                 on.stand_against_wall();
             }
             Mode::Surface(on) => {
@@ -189,7 +189,7 @@ impl Body {
                 let after = |&mark: &f64| mark.is_finite() && (mark - on.u0) * on.accel > 0.0;
                 let first = |a: &f64, b: &f64| (a - on.u0).abs().total_cmp(&(b - on.u0).abs());
                 let mark = marks.into_iter().flatten().filter(after).min_by(first);
-                on.limit = mark.map(|mark| (now + (mark - on.u0) / on.accel, mark));
+                on.limit = mark.map(|mark| (on.t0 + (mark - on.u0) / on.accel, mark));
                 on.stand_against_wall();
             }
             Mode::Wedge(_) => {}
