@@ -23,7 +23,7 @@ fn main() {
 }
 
 /// Half-width of the square that the polygons lie in, in metres.
-const HALF: f64 = 280.0;
+const HALF: f64 = 250.0;
 
 /// 1e4 overlapping octagons of radius 0.5 to 4: about 112 thousand vertices with the crossings.
 fn features() -> Vec<Vec<ExpandedEdge>> {
@@ -82,7 +82,7 @@ fn sweep_edges(bencher: Bencher) {
             continue;
         };
         let start = mesh.point(mesh.origin(mesh.face_edge(face)));
-        let end = start.metres() + DVec2::from_angle(dice.between(0.0, 6.28)) * 100.0;
+        let end = start.metres() + DVec2::from_angle(dice.between(0.0, std::f64::consts::TAU)) * 100.0;
         let end = Point::snap(end).unwrap();
         let ends = |e| (mesh.point(mesh.origin(e)), mesh.point(mesh.dest(e)));
         edges += mesh

@@ -69,14 +69,17 @@ impl Covers {
         &self.interned[self.of_face[face as usize] as usize].windings
     }
 
-    fn intern(&mut self, windings: Windings) -> CoverId {
-        if let Some(&id) = self.ids.get(&windings) {
+    fn intern(&mut self, windings: &Windings) -> CoverId {
+        if let Some(&id) = self.ids.get(windings) {
             return id;
         }
         let features = windings.iter().filter(|w| w.1 > 0).map(|w| w.0).collect();
         let id = self.interned.len() as CoverId;
         self.ids.insert(windings.clone(), id);
-        self.interned.push(Cover { windings, features });
+        self.interned.push(Cover {
+            windings: windings.clone(),
+            features,
+        });
         id
     }
 
@@ -88,26 +91,40 @@ impl Covers {
 
     /// Works out the covers of new faces from those of their neighbours.
     ///
-    /// `gain` writes by how much more each feature winds around the left of an edge than around its right.
-    pub fn spread(&mut self, t: &Topology, new: &[u32], gain: &impl Fn(Quarter, &mut Windings)) {
+    /// `gain` writes by how much more each feature winds around the left of an edge than around its right; a
+    /// feature may occur several times. Where nothing runs along an edge (`is_free`) there is no difference:
+    /// such edges are crossed first, so that the others are asked once per region and not once per face.
+    pub fn spread(
+        &mut self,
+        t: &Topology,
+        new: &[u32],
+        is_free: &impl Fn(Quarter) -> bool,
+        gain: &impl Fn(Quarter, &mut Windings),
+    ) {
         self.of_face.resize(t.face_count(), UNKNOWN);
         self.solid.resize(t.face_count(), false);
         for &face in new {
             self.of_face[face as usize] = UNKNOWN;
         }
-        let mut stack = Vec::new();
-        for &face in new.iter().filter(|&&f| t.is_face(f)) {
-            let known = |&e: &Quarter| self.of_face[t.left(sym(e)) as usize] != UNKNOWN;
-            let from = t.sides(face).into_iter().find(known);
-            if let (UNKNOWN, Some(e)) = (self.of_face[face as usize], from) {
-                self.enter(t, e, gain);
-                stack.push(face);
+        let (mut inner, mut border) = (Vec::new(), Vec::new());
+        let mut scratch = Windings::new();
+        for &face in new {
+            if self.of_face[face as usize] != UNKNOWN || !t.is_face(face) {
+                continue;
             }
-            while let Some(face) = stack.pop() {
-                for e in t.sides(face).map(sym) {
-                    if self.of_face[t.left(e) as usize] == UNKNOWN {
-                        self.enter(t, e, gain);
-                        stack.push(t.left(e));
+            let known = |&e: &Quarter| self.of_face[t.left(sym(e)) as usize] != UNKNOWN;
+            border.extend(t.sides(face).into_iter().find(known));
+            // Into the unknown, as far as it goes.
+            while let Some(e) = inner.pop().or_else(|| border.pop()) {
+                if self.of_face[t.left(e) as usize] == UNKNOWN {
+                    self.enter(t, e, &mut scratch, gain);
+                    for beyond in [t.lnext(e), t.lprev(e)].map(sym) {
+                        let stack = if is_free(beyond) {
+                            &mut inner
+                        } else {
+                            &mut border
+                        };
+                        stack.push(beyond);
                     }
                 }
             }
@@ -115,16 +132,21 @@ impl Covers {
     }
 
     /// Sets the cover of the face left of an edge from that of the face on its right.
-    fn enter(&mut self, t: &Topology, e: Quarter, gain: &impl Fn(Quarter, &mut Windings)) {
-        let right = self.of_face[t.left(sym(e)) as usize];
-        let mut gains = Windings::new();
-        gain(e, &mut gains);
-        let cover = if gains.is_empty() {
-            right
-        } else {
-            gains.extend_from_slice(&self.interned[right as usize].windings);
-            self.intern(merged(gains))
-        };
+    fn enter(
+        &mut self,
+        t: &Topology,
+        e: Quarter,
+        scratch: &mut Windings,
+        gain: &impl Fn(Quarter, &mut Windings),
+    ) {
+        let mut cover = self.of_face[t.left(sym(e)) as usize];
+        scratch.clear();
+        gain(e, scratch);
+        if !scratch.is_empty() {
+            scratch.extend_from_slice(&self.interned[cover as usize].windings);
+            merge(scratch);
+            cover = self.intern(scratch);
+        }
         self.set(t.left(e), cover);
     }
 
@@ -132,7 +154,8 @@ impl Covers {
     pub fn add(&mut self, face: u32, feature: FeatureId, winding: i32) {
         let mut windings = self.windings(face).clone();
         windings.push((feature, winding));
-        let cover = self.intern(merged(windings));
+        merge(&mut windings);
+        let cover = self.intern(&windings);
         self.set(face, cover);
     }
 
@@ -146,7 +169,7 @@ impl Covers {
 }
 
 /// Sorts by feature and adds up what belongs to the same one.
-pub fn merged(mut windings: Windings) -> Windings {
+pub fn merge(windings: &mut Windings) {
     windings.sort_unstable();
     windings.dedup_by(|from, into| {
         let same = from.0 == into.0;
@@ -156,5 +179,4 @@ pub fn merged(mut windings: Windings) -> Windings {
         same
     });
     windings.retain(|w| w.1 != 0);
-    windings
 }

@@ -4,9 +4,9 @@
 //! of these are taken out of the triangulation, dead vertices are deleted and new ones inserted, and all chains
 //! are put in; then the faces that are new get their covers. Work is bounded by what lies near the edit.
 
-use super::cover::{Covers, Windings, merged};
+use super::cover::Covers;
+use super::hilbert::hilbert;
 use super::snap::{Arrangement, Diff};
-use super::topology::{Quarter, sym};
 use super::triangulation::{CORNERS, EDGE_OF_WORLD, Triangulation};
 use super::uses::Uses;
 use super::{Feature, FeatureId, Mesh, MeshError, Segment, SegmentId, VertexId};
@@ -25,11 +25,13 @@ impl Mesh {
     /// # Errors
     /// If an edge leaves the world or has no length.
     pub fn build(features: &[Vec<ExpandedEdge>]) -> Result<Mesh, MeshError> {
-        let batch: Vec<(FeatureId, &[ExpandedEdge])> =
+        let mut batch: Vec<(FeatureId, &[ExpandedEdge])> =
             (0..).zip(features.iter().map(Vec::as_slice)).collect();
         for (id, edges) in &batch {
             check(*id, edges)?;
         }
+        // Neighbours in the plane become neighbours in memory.
+        batch.sort_by_cached_key(|(_, edges)| edges.first().map(|e| hilbert(e.a)));
         let mut mesh = Mesh::empty(usual_shift(features));
         mesh.put(&batch);
         mesh.spread(None);
@@ -44,6 +46,7 @@ impl Mesh {
             uses: Uses::default(),
             covers: Covers::new(),
             segments: Vec::new(),
+            winds: Vec::new(),
             features: BTreeMap::new(),
             rewired: 0,
         };
@@ -80,7 +83,7 @@ impl Mesh {
             .remove(&feature)
             .map(|f| f.segments)
             .unwrap_or_default();
-        let (_, diff) = self.arrangement.edit(&[], &segments);
+        let diff = self.arrangement.edit(&[], &segments);
         self.apply(&diff);
         self.spread(None);
         Ok(())
@@ -92,9 +95,10 @@ impl Mesh {
             .iter()
             .flat_map(|(_, edges)| edges.iter().map(|e| (e.a, e.b)))
             .collect();
-        let (ids, diff) = self.arrangement.edit(&ends, &[]);
-        let mut ids = ids.into_iter();
+        let diff = self.arrangement.edit(&ends, &[]);
+        let mut ids = diff.added.iter().copied();
         for &(feature, edges) in batch {
+            let closed = is_closed(edges);
             let segments: Vec<SegmentId> = ids.by_ref().take(edges.len()).collect();
             for (&id, &ExpandedEdge { a, b, source }) in segments.iter().zip(edges) {
                 let segment = Segment {
@@ -103,10 +107,12 @@ impl Mesh {
                     feature,
                     source,
                 };
-                match self.segments.get_mut(id.index()) {
-                    Some(free) => *free = segment,
-                    None => self.segments.push(segment),
+                if id.index() == self.segments.len() {
+                    self.segments.push(segment);
+                    self.winds.push(closed);
                 }
+                self.segments[id.index()] = segment;
+                self.winds[id.index()] = closed;
             }
             let mut by_source: Vec<_> = segments
                 .iter()
@@ -114,7 +120,6 @@ impl Mesh {
                 .map(|(&id, e)| (e.source, id))
                 .collect();
             by_source.sort_unstable();
-            let closed = is_closed(edges);
             self.features.insert(
                 feature,
                 Feature {
@@ -136,7 +141,7 @@ impl Mesh {
                     .topology
                     .edge_between(pair[0].0, pair[1].0);
                 let e = e.expect("each piece of a chain is an edge");
-                self.uses.remove(e, route.slot);
+                self.uses.remove(e, route.segment);
                 if self.uses.is_empty(e) {
                     self.triangulation.release(e);
                 }
@@ -150,11 +155,13 @@ impl Mesh {
             self.triangulation
                 .insert(v.0, self.arrangement.points()[v.index()]);
         }
-        for route in &diff.rerouted {
-            for pair in route.new.windows(2) {
+        let rerouted = diff.rerouted.iter().map(|r| (r.segment, r.new.as_slice()));
+        let added = diff.added.iter().map(|&s| (s, self.arrangement.chain(s)));
+        for (segment, chain) in rerouted.chain(added) {
+            for pair in chain.windows(2) {
                 let e = self.triangulation.enforce(pair[0].0, pair[1].0);
                 self.triangulation.fix(e);
-                self.uses.add(e, route.slot, &self.segments);
+                self.uses.add(e, segment, &self.segments);
             }
         }
         self.triangulation.legalise();
@@ -168,126 +175,6 @@ impl Mesh {
             .collect();
         keyed.sort_unstable();
         keyed.into_iter().map(|(_, v)| v).collect()
-    }
-}
-
-// Covers.
-impl Mesh {
-    /// By how much more each feature winds around the left of an edge than around its right.
-    pub(super) fn gain(&self, e: Quarter, gains: &mut Windings) {
-        for u in self.uses.of(e) {
-            let feature = self.segments[u.segment.index()].feature;
-            if self.features[&feature].closed {
-                gains.push((feature, if u.forward { 1 } else { -1 }));
-            }
-        }
-    }
-
-    /// By how much more one feature winds around the left of an edge than around its right.
-    fn gain_of(&self, feature: FeatureId, e: Quarter) -> i32 {
-        let along = |forward: bool| if forward { 1 } else { -1 };
-        self.uses
-            .of(e)
-            .filter(|u| self.segments[u.segment.index()].feature == feature)
-            .map(|u| along(u.forward))
-            .sum()
-    }
-
-    /// Gives new faces their covers, leaving one feature out of account.
-    fn spread(&mut self, without: Option<FeatureId>) {
-        let new = self.triangulation.topology.take_touched();
-        self.rewired = new.len();
-        let mut covers = std::mem::replace(&mut self.covers, Covers::new());
-        covers.spread(&self.triangulation.topology, &new, &|e, gains| {
-            self.gain(e, gains);
-            gains.retain(|g| Some(g.0) != without);
-            *gains = merged(std::mem::take(gains));
-        });
-        self.covers = covers;
-    }
-
-    /// Adds a feature that was just inserted to the covers of the faces inside it.
-    fn cover_inside(&mut self, feature: FeatureId) {
-        if !self.features[&feature].closed {
-            return;
-        }
-        let mut stack = self.windings_along(feature);
-        stack.retain(|s| s.1 != 0);
-        while let Some((face, winding)) = stack.pop() {
-            if self.covers.winding(face, feature) != 0 {
-                continue;
-            }
-            self.covers.add(face, feature, winding);
-            for e in self.triangulation.topology.sides(face).map(sym) {
-                let beyond = winding + self.gain_of(feature, e);
-                if beyond != 0 {
-                    stack.push((self.triangulation.topology.left(e), beyond));
-                }
-            }
-        }
-    }
-
-    /// How often a closed feature winds around each face that has a corner on its chain; faces may recur.
-    ///
-    /// Beyond the lexicographically smallest vertex of the chain it does not wind at all; from there the
-    /// count is carried around that vertex, and along the chain around each of the others.
-    fn windings_along(&self, feature: FeatureId) -> Vec<(u32, i32)> {
-        let t = &self.triangulation.topology;
-        let pieces = self.features[&feature]
-            .segments
-            .iter()
-            .flat_map(|&s| self.arrangement.chain(s).windows(2));
-        let mut chain: Vec<u32> = pieces.map(|pair| pair[0].0).collect();
-        let point = |v: u32| self.triangulation.point(v);
-        let first = (0..chain.len())
-            .min_by_key(|&i| point(chain[i]))
-            .unwrap_or(0);
-        chain.rotate_left(first);
-        let mut at = t
-            .ring(chain[0])
-            .find(|&q| point(t.dest(q)) < point(chain[0]))
-            .expect("the outer box lies around every feature");
-        let mut winding = 0;
-        let mut found = Vec::new();
-        for i in 0..chain.len() {
-            // Around chain[i], from the face left of `at`.
-            let towards = chain[(i + 1) % chain.len()];
-            let (start, mut next) = (at, None);
-            loop {
-                found.push((t.left(at), winding));
-                if t.dest(at) == towards {
-                    next = Some((t.lnext(at), winding));
-                }
-                at = t.onext(at);
-                if at == start {
-                    break;
-                }
-                winding += self.gain_of(feature, at);
-            }
-            (at, winding) = next.expect("each piece of a chain is an edge");
-        }
-        found
-    }
-
-    /// Takes a feature that is about to be removed out of the covers of the faces inside it.
-    fn uncover_inside(&mut self, feature: FeatureId) {
-        let t = &self.triangulation.topology;
-        let mut stack = Vec::new();
-        for &s in &self.features[&feature].segments {
-            for pair in self.arrangement.chain(s).windows(2) {
-                let e = t
-                    .edge_between(pair[0].0, pair[1].0)
-                    .expect("each piece of a chain is an edge");
-                stack.extend([t.left(e), t.left(sym(e))]);
-            }
-        }
-        while let Some(face) = stack.pop() {
-            let winding = self.covers.winding(face, feature);
-            if winding != 0 {
-                self.covers.add(face, feature, -winding);
-                stack.extend(t.sides(face).map(|e| t.left(sym(e))));
-            }
-        }
     }
 }
 
@@ -319,22 +206,4 @@ fn usual_shift(features: &[Vec<ExpandedEdge>]) -> u32 {
         .checked_div(count)
         .and_then(u64::checked_ilog2)
         .unwrap_or(DEFAULT_SHIFT)
-}
-
-/// Position of a point along a Hilbert curve through the world (Hilbert 1891), 29 levels deep.
-fn hilbert(p: Point) -> u64 {
-    let (mut x, mut y) = ((p.x + EDGE_OF_WORLD) as u32, (p.y + EDGE_OF_WORLD) as u32);
-    let mut along = 0;
-    for level in (0..29).rev() {
-        let (right, up) = ((x >> level) & 1, (y >> level) & 1);
-        along = (along << 2) | u64::from((3 * right) ^ up);
-        // Turn the quadrant so that the curve inside it starts and ends where it should.
-        if up == 0 {
-            if right == 1 {
-                (x, y) = (!x, !y);
-            }
-            (x, y) = (y, x);
-        }
-    }
-    along
 }

@@ -14,8 +14,10 @@
 mod buckets;
 mod check;
 mod cover;
+mod covering;
 mod edit;
 mod hash;
+mod hilbert;
 mod snap;
 mod topology;
 mod triangulation;
@@ -156,6 +158,8 @@ pub struct Mesh {
     covers: cover::Covers,
     /// Feature edges by id; unused ids keep their last one.
     segments: Vec<Segment>,
+    /// Per segment: whether its feature is closed, so that crossing it changes the cover.
+    winds: Vec<bool>,
     features: BTreeMap<FeatureId, Feature>,
     /// Faces that the last edit made or changed.
     rewired: usize,

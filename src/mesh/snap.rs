@@ -20,7 +20,7 @@ use std::hash::BuildHasherDefault;
 struct Original {
     a: Point,
     b: Point,
-    /// The hot pixels it meets, from a to b; empty while the slot is unused.
+    /// The hot pixels it meets, from a to b; empty while the id is unused.
     chain: Vec<VertexId>,
 }
 
@@ -31,16 +31,18 @@ pub struct Diff {
     pub born: Vec<VertexId>,
     /// Hot pixels that are no more, ascending by id.
     pub dead: Vec<VertexId>,
-    /// Segments whose chain changes: the differing stretch before and after, with one vertex in common at each end
-    /// (empty where there is no chain). Added segments come last.
+    /// The added segments, in order; their chains are new.
+    pub added: Vec<SegmentId>,
+    /// Removed segments, and those that stay but change their chain.
     pub rerouted: Vec<Reroute>,
 }
 
-/// A stretch of a chain before and after an edit.
+/// A stretch of a chain before and after an edit, with one vertex in common at each end; of a
+/// removed segment the whole chain before and nothing after.
 #[derive(Clone, Debug)]
 pub struct Reroute {
     /// The segment.
-    pub slot: SegmentId,
+    pub segment: SegmentId,
     /// Old vertices, from a to b.
     pub old: Vec<VertexId>,
     /// New vertices, from a to b.
@@ -85,65 +87,56 @@ impl Arrangement {
     }
 
     /// The chain of a segment.
-    pub fn chain(&self, slot: SegmentId) -> &[VertexId] {
-        &self.originals[slot.index()].chain
+    pub fn chain(&self, segment: SegmentId) -> &[VertexId] {
+        &self.originals[segment.index()].chain
     }
 
     /// Ends of a segment.
-    pub fn ends(&self, slot: SegmentId) -> (Point, Point) {
-        let s = &self.originals[slot.index()];
+    pub fn ends(&self, segment: SegmentId) -> (Point, Point) {
+        let s = &self.originals[segment.index()];
         (s.a, s.b)
     }
 
-    /// Adds segments (each of some length) and removes others. Returns the slots of the added ones and the changes.
+    /// Adds segments (each of some length) and removes others. Returns what changes.
     ///
-    /// A removed slot and a dead vertex id may be given away by the next edit.
-    pub fn edit(&mut self, add: &[(Point, Point)], remove: &[SegmentId]) -> (Vec<SegmentId>, Diff) {
+    /// The ids of removed segments and dead vertices may be given away by the next edit.
+    pub fn edit(&mut self, add: &[(Point, Point)], remove: &[SegmentId]) -> Diff {
         let mut diff = Diff::default();
-        for &slot in remove {
-            let old = self.unregister(slot);
-            diff.rerouted.push(Reroute {
-                slot,
-                old,
-                new: Vec::new(),
-            });
+        for &segment in remove {
+            let (old, new) = (self.unregister(segment), Vec::new());
+            diff.rerouted.push(Reroute { segment, old, new });
         }
         let survivors = self.originals.len() > self.free_slots.len() + remove.len();
-        let added: Vec<SegmentId> = add
-            .iter()
-            .map(|&(a, b)| self.register(a, b, &mut diff.born))
-            .collect();
+        self.vertex_at.reserve(add.len());
+        for &(a, b) in add {
+            let segment = self.register(a, b, &mut diff.born);
+            diff.added.push(segment);
+        }
         diff.dead = self.cooled(&diff.rerouted);
         if survivors {
             self.reroute_survivors(&mut diff);
         }
         self.bury(&diff.dead);
-        for &slot in &added {
-            let new = self.find_chain(slot);
-            self.originals[slot.index()].chain.clone_from(&new);
-            diff.rerouted.push(Reroute {
-                slot,
-                old: Vec::new(),
-                new,
-            });
+        for &segment in &diff.added {
+            self.originals[segment.index()].chain = self.find_chain(segment);
         }
         self.free_slots.extend(remove.iter().rev());
-        (added, diff)
+        diff
     }
 
     /// Takes a segment out of the buckets; returns its chain.
-    fn unregister(&mut self, slot: SegmentId) -> Vec<VertexId> {
-        let (a, b) = self.ends(slot);
+    fn unregister(&mut self, segment: SegmentId) -> Vec<VertexId> {
+        let (a, b) = self.ends(segment);
         self.segments.cells_along(a, b, &mut self.cells);
         for &cell in &self.cells {
-            self.segments.remove(cell, slot.0);
+            self.segments.remove(cell, segment.0);
         }
-        std::mem::take(&mut self.originals[slot.index()].chain)
+        std::mem::take(&mut self.originals[segment.index()].chain)
     }
 
     /// Puts a segment into the buckets and heats its ends and its crossings with those that are there.
     fn register(&mut self, a: Point, b: Point, born: &mut Vec<VertexId>) -> SegmentId {
-        let slot = self
+        let segment = self
             .free_slots
             .pop()
             .unwrap_or(SegmentId(self.originals.len() as u32));
@@ -152,7 +145,7 @@ impl Arrangement {
             b,
             chain: Vec::new(),
         };
-        match self.originals.get_mut(slot.index()) {
+        match self.originals.get_mut(segment.index()) {
             Some(free) => *free = original,
             None => self.originals.push(original),
         }
@@ -168,13 +161,13 @@ impl Arrangement {
                     crossings.push(crossing_pixel(a, b, c, d));
                 }
             }
-            self.segments.add(cell, slot.0);
+            self.segments.add(cell, segment.0);
         }
         for p in crossings {
             self.heat(p, born);
         }
         self.cells = cells;
-        slot
+        segment
     }
 
     /// Makes the pixel of a grid point hot, if it is not.
@@ -200,8 +193,8 @@ impl Arrangement {
         self.segments
             .items(self.segments.cell_of(p))
             .map(SegmentId)
-            .filter(move |&slot| {
-                let (a, b) = self.ends(slot);
+            .filter(move |&segment| {
+                let (a, b) = self.ends(segment);
                 meets_pixel(a, b, p)
             })
     }
@@ -218,7 +211,8 @@ impl Arrangement {
 
     /// Whether an end or a proper crossing of segments lies in the pixel of a grid point.
     fn has_reason(&self, p: Point) -> bool {
-        let meeting: Vec<(Point, Point)> = self.meeting(p).map(|slot| self.ends(slot)).collect();
+        let meeting: Vec<(Point, Point)> =
+            self.meeting(p).map(|segment| self.ends(segment)).collect();
         meeting.iter().any(|&(a, b)| a == p || b == p)
             || meeting.iter().enumerate().any(|(i, &(a, b))| {
                 meeting[..i]
@@ -231,17 +225,17 @@ impl Arrangement {
     fn reroute_survivors(&mut self, diff: &mut Diff) {
         let mut changes: Vec<(SegmentId, VertexId)> = Vec::new();
         for &v in diff.born.iter().chain(&diff.dead) {
-            let stays = |&slot: &SegmentId| !self.originals[slot.index()].chain.is_empty();
+            let stays = |&segment: &SegmentId| !self.originals[segment.index()].chain.is_empty();
             changes.extend(
                 self.meeting(self.points[v.index()])
                     .filter(stays)
-                    .map(|slot| (slot, v)),
+                    .map(|segment| (segment, v)),
             );
         }
         changes.sort_unstable();
         for change in changes.chunk_by(|x, y| x.0 == y.0) {
-            let slot = change[0].0;
-            let old = std::mem::take(&mut self.originals[slot.index()].chain);
+            let segment = change[0].0;
+            let old = std::mem::take(&mut self.originals[segment.index()].chain);
             let mut new: Vec<VertexId> = old
                 .iter()
                 .copied()
@@ -253,11 +247,11 @@ impl Arrangement {
                     .map(|&(_, v)| v)
                     .filter(|v| diff.dead.binary_search(v).is_err()),
             );
-            self.sort_along(slot, &mut new);
+            self.sort_along(segment, &mut new);
             let (old, changed) = differing(&old, &new);
-            self.originals[slot.index()].chain = new;
+            self.originals[segment.index()].chain = new;
             diff.rerouted.push(Reroute {
-                slot,
+                segment,
                 old,
                 new: changed,
             });
@@ -275,8 +269,8 @@ impl Arrangement {
     }
 
     /// The hot pixels that a segment meets, from end to end.
-    fn find_chain(&mut self, slot: SegmentId) -> Vec<VertexId> {
-        let (a, b) = self.ends(slot);
+    fn find_chain(&mut self, segment: SegmentId) -> Vec<VertexId> {
+        let (a, b) = self.ends(segment);
         let mut chain = Vec::new();
         self.pixels.cells_along(a, b, &mut self.cells);
         for &cell in &self.cells {
@@ -287,13 +281,13 @@ impl Arrangement {
                     .filter(|&v| meets_pixel(a, b, self.points[v.index()])),
             );
         }
-        self.sort_along(slot, &mut chain);
+        self.sort_along(segment, &mut chain);
         chain
     }
 
     /// Sorts pixels that a segment meets in its direction. Rounding is monotone, so both coordinates are.
-    fn sort_along(&self, slot: SegmentId, chain: &mut [VertexId]) {
-        let (a, b) = self.ends(slot);
+    fn sort_along(&self, segment: SegmentId, chain: &mut [VertexId]) {
+        let (a, b) = self.ends(segment);
         let (x, y) = (
             i64::from((b.x - a.x).signum()),
             i64::from((b.y - a.y).signum()),
