@@ -18,7 +18,7 @@ vec3 haze(vec3 direction) {
 float fog(vec3 at) {
     float way = max(distance(at, eye.xyz) - 16.0, 0.0);
     float low = exp(-max(at.y - scene.y, 0.0) * 0.09);
-    return 1.0 - exp(-way * (0.0075 + 0.016 * low));
+    return 1.0 - exp(-way * (0.0095 + 0.016 * low));
 }
 
 // Light that arrives from everywhere and from the lanterns.
@@ -30,7 +30,7 @@ vec3 fill(vec3 at, vec3 normal, float open) {
         float far = dot(way, way) / (light_at[i].w * light_at[i].w);
         if (far < 1.0) {
             float facing = dot(normal, way) * inversesqrt(dot(way, way) + 0.01) * 0.7 + 0.3;
-            light += light_colour[i].rgb * max(facing, 0.0) * (1.0 - far) * (1.0 - far) / (1.0 + 12.0 * far);
+            light += light_colour[i].rgb * max(facing, 0.0) * (1.0 - far) * (1.0 - far) / (1.0 + 9.0 * far);
         }
     }
     return light;

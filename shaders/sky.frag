@@ -15,6 +15,6 @@ void main() {
     light = mix(light, high, smoothstep(0.12, 0.62, up));
     float towards = max(dot(direction, normalize(SUNSET)), 0.0);
     float disc = pow(towards, 24.0);
-    light += vec3(1.0, 0.46, 0.16) * disc * 0.8 + vec3(1.4, 0.9, 0.5) * smoothstep(0.9990, 0.9994, towards);
+    light += vec3(1.0, 0.46, 0.16) * disc * 0.8 + vec3(1.4, 0.9, 0.5) * smoothstep(0.9991, 0.9995, towards);
     screen = vec4(tone(light, gl_FragCoord.xy, vec2(ray_right.w, ray_up.w)), 1.0);
 }

@@ -69,36 +69,35 @@ fn mesa(row: &Row, seed: Vec3, water: f32, model: &mut Model) {
     );
     let mut ring = outline(centre, half, seed, 0);
     for bench in 0..benches {
-        let top = water + height * (bench as f32 + 1.0) / benches as f32;
-        let wall: Vec<Vec3> = ring.iter().map(|p| Vec3::new(p.x, top, p.z)).collect();
-        model.band(&ring, &wall, row.colour);
-        let ledge = row.colour.towards(paint(0x9aa08a), 0.5);
-        half *= 0.62 + 0.2 * hash(seed, 70 + bench as u32);
-        let shift = Vec3::new(
-            (hash(seed, 80 + bench as u32) - 0.5) * half.x * 0.5,
-            0.0,
-            -half.y * 0.25,
-        );
-        let next = outline(
-            Vec3::new(centre.x, top, centre.z) + shift,
-            half,
-            seed,
-            bench as u32 + 1,
-        );
-        if bench + 1 == benches {
-            model.cap(&wall, ledge);
-        } else {
-            model.band(&wall, &next, ledge);
-        }
+        let top = water + height * (bench as f32 + 0.6 + 0.4 * hash(seed, 75 + bench as u32)) / benches as f32;
+        // Walls lean back and their brinks are broken.
+        let brink: Vec<Vec3> = (0..).zip(&ring).map(|(i, p)| weathered(centre, *p, top, hash(seed, 120 + 8 * bench as u32 + i))).collect();
+        model.band(&ring, &brink, row.colour);
+        let ledge = row.colour.towards(paint(0x8f9a86), 0.45);
+        half *= 0.60 + 0.22 * hash(seed, 70 + bench as u32);
+        let shift = Vec3::new((hash(seed, 80 + bench as u32) - 0.5) * half.x * 0.7, 0.0, -half.y * 0.2);
+        let next = outline(Vec3::new(centre.x, top, centre.z) + shift, half, seed, bench as u32 + 1);
+        model.band(&brink, &next, ledge);
         ring = next;
     }
+    let peak = ring.iter().sum::<Vec3>() / ring.len() as f32 + Vec3::Y * height * 0.12;
+    for i in 0..ring.len() {
+        model.facet([ring[i], ring[(i + 1) % ring.len()], peak], [1.0; 3], row.colour);
+    }
+}
+
+/// A corner of a wall's brink above its foot.
+fn weathered(centre: Vec3, foot: Vec3, top: f32, chance: f32) -> Vec3 {
+    let inward = (centre - foot).with_y(0.0) * (0.06 + 0.12 * chance);
+    let rise = top - foot.y;
+    Vec3::new(foot.x + inward.x, foot.y + rise * (0.80 + 0.35 * chance), foot.z + inward.z)
 }
 
 /// A rough seven-sided outline, counter-clockwise seen from above.
 fn outline(centre: Vec3, half: Vec2, seed: Vec3, salt: u32) -> Vec<Vec3> {
     let corner = |i: u32| {
         let (sin, cos) = (std::f32::consts::TAU * (i as f32 + 0.3) / 7.0).sin_cos();
-        let reach = 0.8 + 0.35 * hash(seed, 90 + 11 * salt + i);
+        let reach = 0.65 + 0.5 * hash(seed, 90 + 11 * salt + i);
         centre + Vec3::new(cos * half.x, 0.0, -sin * half.y) * reach
     };
     (0..7).map(corner).collect()

@@ -209,13 +209,7 @@ fn sword(figure: &mut Model) {
     let across = Vec3::new(along.y, -along.x, 0.0) * 0.10;
     let guard = hand + along * 0.07;
     figure.beam(guard - across, guard + across, 0.022, on(BRASS, part));
-    figure.beam(guard, guard + along * 0.42, 0.030, on(STEEL, part));
-    figure.beam(
-        guard + along * 0.42,
-        guard + along * 0.52,
-        0.016,
-        on(STEEL, part),
-    );
+    figure.beam(guard, guard + along * 0.50, 0.026, on(STEEL, part));
 }
 
 fn lantern(figure: &mut Model) {
@@ -315,7 +309,7 @@ pub fn lamp(pose: &Pose, foot: Vec3, time: f64) -> PointLight {
     let flicker = 1.0 + 0.05 * (seconds * 11.0).sin() + 0.04 * (seconds * 17.3).sin();
     PointLight {
         at: foot + pose.lantern() + Vec3::Z * 0.25,
-        reach: 6.5,
-        colour: Vec3::new(2.6, 1.45, 0.55) * flicker,
+        reach: 6.0,
+        colour: Vec3::new(1.15, 0.66, 0.27) * flicker,
     }
 }

@@ -11,6 +11,7 @@ mod error;
 mod facets;
 mod frame;
 mod gl;
+mod growth;
 mod hero;
 mod lamps;
 mod model;

@@ -106,6 +106,16 @@ impl Model {
         }
     }
 
+    /// A blade of grass: a facet whose last corner alone the wind moves, dark at the root.
+    pub fn blade(&mut self, corners: [Vec3; 3], paint: Paint) {
+        let before = self.words.len();
+        self.facet(corners, [0.6, 0.6, 1.0], paint);
+        let tip = before + 3 * VERTEX_WORDS - 1;
+        if let Some(traits) = self.words.get_mut(tip) {
+            *traits = pack([paint.glow, 0.6, f32::from(paint.part) / 255.0, 0.0]);
+        }
+    }
+
     /// A quadrilateral, counter-clockwise seen from its front, as two facets.
     pub fn quad(&mut self, [a, b, c, d]: [Vec3; 4], paint: Paint) {
         self.facet([a, b, c], [1.0; 3], paint);

@@ -5,6 +5,7 @@
 //! of passages.
 
 use super::facets::{Facets, next};
+use super::growth;
 use super::model::{Model, Paint, hash, paint};
 use crate::game::Stage;
 use crate::geom::Point;
@@ -12,8 +13,8 @@ use crate::level::Material;
 use glam::{DVec2, Vec3};
 
 /// Depth of the fronts, and of the rim around them, in metres.
-const FRONT: f32 = 1.0;
-const RIM: f32 = 0.26;
+const FRONT: f32 = 0.75;
+const RIM: f32 = 0.24;
 /// Behind this depth the walls leave the outlines.
 const FLAT_BACK: f32 = -0.9;
 /// Where walls of rock are cut across, from front to back, and how far they swell there, in metres.
@@ -55,8 +56,8 @@ fn palette(material: Material) -> Palette {
         stations,
     };
     match material {
-        Material::Rock => colours([0x9fa583, 0x6f7583, 0x30475c, 0x6c7080], ROCK),
-        Material::Masonry => colours([0xc9bda4, 0x9a9089, 0x5d6470, 0x878084], MASONRY),
+        Material::Rock => colours([0x828e70, 0x6f7583, 0x30475c, 0x6c7080], ROCK),
+        Material::Masonry => colours([0xaaa08e, 0x948c88, 0x525c6c, 0x827d82], MASONRY),
         Material::Timber => colours([0xb28a5c, 0x86603f, 0x5c4433, 0x6e4f38], SMALL),
         Material::Iron => colours([0xa6765a, 0x75564c, 0x4a4448, 0x5a4a48], SMALL),
     }
@@ -102,6 +103,7 @@ pub fn build(solids: &[([Point; 3], Material)]) -> Model {
     let mut model = Model::default();
     add_front(&facets, &mut model);
     add_walls(&facets, &rims, &mut model);
+    growth::add_grass(&facets, &mut model);
     model
 }
 
@@ -185,7 +187,7 @@ fn add_front(facets: &Facets, model: &mut Model) {
     let place = |v: usize| {
         let (p, depth) = (facets.points[v].as_vec2(), depths[v] as f32);
         let flat = p.extend(0.0);
-        let uneven = (hash(flat, 5) - 0.5) * 0.5 * ((depth - RIM) / 1.2).clamp(0.0, 1.0);
+        let uneven = (hash(flat, 5) - 0.5) * 0.42 * ((depth - RIM) / 1.2).clamp(0.0, 1.0);
         p.extend(FRONT + uneven - if depth == 0.0 { RIM } else { 0.0 })
     };
     for t in 0..facets.material.len() {
@@ -265,7 +267,7 @@ fn strata(base: Paint, at: Vec3) -> Paint {
 
 /// What looks up is overgrown or worn pale, what looks down stays dark.
 fn weathered(base: Paint, colours: &Palette, normal: Vec3) -> Paint {
-    let up = base.towards(colours.top, smooth(0.3, 0.7, normal.y));
+    let up = base.towards(colours.top, smooth(0.42, 0.72, normal.y));
     Paint {
         colour: up.colour * (1.0 - 0.35 * smooth(0.2, 0.9, -normal.y)),
         ..up
