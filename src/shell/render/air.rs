@@ -2,8 +2,8 @@
 
 use super::frame::PointLight;
 use super::gl::{Geometry, Gl};
-use super::state::Format;
 use super::model::pack;
+use super::state::Format;
 use crate::game::View;
 use glam::{Vec3, Vec4};
 

@@ -69,20 +69,37 @@ fn mesa(row: &Row, seed: Vec3, water: f32, model: &mut Model) {
     );
     let mut ring = outline(centre, half, seed, 0);
     for bench in 0..benches {
-        let top = water + height * (bench as f32 + 0.6 + 0.4 * hash(seed, 75 + bench as u32)) / benches as f32;
+        let top = water
+            + height * (bench as f32 + 0.6 + 0.4 * hash(seed, 75 + bench as u32)) / benches as f32;
         // Walls lean back and their brinks are broken.
-        let brink: Vec<Vec3> = (0..).zip(&ring).map(|(i, p)| weathered(centre, *p, top, hash(seed, 120 + 8 * bench as u32 + i))).collect();
+        let brink: Vec<Vec3> = (0..)
+            .zip(&ring)
+            .map(|(i, p)| weathered(centre, *p, top, hash(seed, 120 + 8 * bench as u32 + i)))
+            .collect();
         model.band(&ring, &brink, row.colour);
         let ledge = row.colour.towards(paint(0x8f9a86), 0.45);
         half *= 0.60 + 0.22 * hash(seed, 70 + bench as u32);
-        let shift = Vec3::new((hash(seed, 80 + bench as u32) - 0.5) * half.x * 0.7, 0.0, -half.y * 0.2);
-        let next = outline(Vec3::new(centre.x, top, centre.z) + shift, half, seed, bench as u32 + 1);
+        let shift = Vec3::new(
+            (hash(seed, 80 + bench as u32) - 0.5) * half.x * 0.7,
+            0.0,
+            -half.y * 0.2,
+        );
+        let next = outline(
+            Vec3::new(centre.x, top, centre.z) + shift,
+            half,
+            seed,
+            bench as u32 + 1,
+        );
         model.band(&brink, &next, ledge);
         ring = next;
     }
     let peak = ring.iter().sum::<Vec3>() / ring.len() as f32 + Vec3::Y * height * 0.12;
     for i in 0..ring.len() {
-        model.facet([ring[i], ring[(i + 1) % ring.len()], peak], [1.0; 3], row.colour);
+        model.facet(
+            [ring[i], ring[(i + 1) % ring.len()], peak],
+            [1.0; 3],
+            row.colour,
+        );
     }
 }
 
@@ -90,7 +107,11 @@ fn mesa(row: &Row, seed: Vec3, water: f32, model: &mut Model) {
 fn weathered(centre: Vec3, foot: Vec3, top: f32, chance: f32) -> Vec3 {
     let inward = (centre - foot).with_y(0.0) * (0.06 + 0.12 * chance);
     let rise = top - foot.y;
-    Vec3::new(foot.x + inward.x, foot.y + rise * (0.80 + 0.35 * chance), foot.z + inward.z)
+    Vec3::new(
+        foot.x + inward.x,
+        foot.y + rise * (0.80 + 0.35 * chance),
+        foot.z + inward.z,
+    )
 }
 
 /// A rough seven-sided outline, counter-clockwise seen from above.

@@ -2,8 +2,8 @@
 
 use super::frame::{Line, Tri};
 use super::gl::{Geometry, Gl};
-use super::state::Format;
 use super::model::pack;
+use super::state::Format;
 
 /// Layout of a line: one instance.
 const LINE: [Format; 4] = [Format::F3, Format::F3, Format::Unorm4, Format::F1];

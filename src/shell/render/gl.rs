@@ -371,7 +371,7 @@ impl Gl {
         }
     }
 
-    /// The lower left `width` by `height` pixels of the bound framebuffer: RGB, rows from the top down.
+    /// The lower left `width` by `height` pixels of the bound framebuffer: RGB, rows from the bottom up.
     pub fn read_pixels(&self, width: u32, height: u32) -> Vec<u8> {
         let row = width as usize * 3;
         let mut pixels = vec![0; row * height as usize];
@@ -393,12 +393,6 @@ impl Gl {
                 glow::UNSIGNED_BYTE,
                 into,
             );
-        }
-        let (mut top, mut bottom) = (0, height as usize - 1);
-        while top < bottom {
-            let (above, below) = pixels.split_at_mut(bottom * row);
-            above[top * row..][..row].swap_with_slice(&mut below[..row]);
-            (top, bottom) = (top + 1, bottom - 1);
         }
         pixels
     }

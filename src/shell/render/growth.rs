@@ -19,7 +19,10 @@ const TIP: Paint = paint(0xa9b36c).varied(0.25);
 /// Adds the grass of a terrain.
 pub fn add_grass(facets: &Facets, model: &mut Model) {
     for e in (0..facets.origin.len()).filter(|&e| facets.is_border(e)) {
-        let (a, b) = (facets.points[facets.origin[e]].as_vec2(), facets.points[facets.origin[next(e)]].as_vec2());
+        let (a, b) = (
+            facets.points[facets.origin[e]].as_vec2(),
+            facets.points[facets.origin[next(e)]].as_vec2(),
+        );
         let normal = -(b - a).perp().normalize_or_zero();
         if normal.y < FLAT || facets.material[e / 3] != Material::Rock {
             continue;

@@ -23,8 +23,8 @@ mod terrain;
 mod water;
 
 pub use error::RenderError;
-pub use gl::load;
 pub use frame::{CameraPose, Frame, Line, PointLight, Tri};
+pub use gl::load;
 
 use crate::game::Stage;
 use air::Air;
@@ -174,7 +174,9 @@ impl Renderer {
 
     /// The picture that was drawn last, `size` in pixels: RGB, rows from the top down. Call before the buffers are swapped.
     pub fn read_pixels(&self, size: (u32, u32)) -> Vec<u8> {
-        self.gl.read_pixels(size.0, size.1)
+        let upwards = self.gl.read_pixels(size.0, size.1);
+        let rows = upwards.chunks_exact((size.0 as usize * 3).max(1));
+        rows.rev().flatten().copied().collect()
     }
 
     /// The first OpenGL error since the last call, as OpenGL's number.

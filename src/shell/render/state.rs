@@ -73,4 +73,3 @@ pub enum Stage {
     /// Once per fragment.
     Fragment,
 }
-
