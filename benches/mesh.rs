@@ -82,7 +82,8 @@ fn sweep_edges(bencher: Bencher) {
             continue;
         };
         let start = mesh.point(mesh.origin(mesh.face_edge(face)));
-        let end = start.metres() + DVec2::from_angle(dice.between(0.0, std::f64::consts::TAU)) * 100.0;
+        let end =
+            start.metres() + DVec2::from_angle(dice.between(0.0, std::f64::consts::TAU)) * 100.0;
         let end = Point::snap(end).unwrap();
         let ends = |e| (mesh.point(mesh.origin(e)), mesh.point(mesh.dest(e)));
         edges += mesh

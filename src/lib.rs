@@ -4,13 +4,13 @@
 #![deny(unsafe_code)]
 #![warn(missing_docs)]
 
-pub mod tune;
+pub mod anim;
+pub mod cli;
+pub mod game;
 pub mod geom;
+pub mod level;
 pub mod mesh;
 pub mod motion;
-pub mod level;
-pub mod anim;
-pub mod game;
-pub mod cli;
 #[cfg(feature = "shell")]
 pub mod shell;
+pub mod tune;

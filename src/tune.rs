@@ -149,8 +149,18 @@ pub struct TuneError {
 
 impl std::fmt::Display for TuneError {
     fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
-        let Meta { name, min, max, unit, .. } = self.meta;
-        write!(f, "field `{name}`: {} is outside {min}..={max} {unit}", self.value)
+        let Meta {
+            name,
+            min,
+            max,
+            unit,
+            ..
+        } = self.meta;
+        write!(
+            f,
+            "field `{name}`: {} is outside {min}..={max} {unit}",
+            self.value
+        )
     }
 }
 
@@ -164,7 +174,11 @@ mod tests {
     fn defaults_are_in_range_and_described() {
         Tuning::default().check().unwrap();
         for meta in Motion::META.iter().chain(Camera::META) {
-            assert!(meta.sentence.ends_with('.') && meta.min < meta.max, "{}", meta.name);
+            assert!(
+                meta.sentence.ends_with('.') && meta.min < meta.max,
+                "{}",
+                meta.name
+            );
         }
     }
 

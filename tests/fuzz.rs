@@ -1,35 +1,18 @@
 //! A seeded fuzz test of the motion: random levels, random controls, every invariant after every tick and every event.
 //! `FUZZ_TICKS` and `FUZZ_SEED` lengthen it and move it.
 
+#[path = "common/worlds.rs"]
+mod worlds;
+
 use edgewalker::geom::{Collider, Point, expand};
 use edgewalker::mesh::Mesh;
-use edgewalker::motion::{Body, Control, EventKind, Mode, Terrain, Trace, check::check, vertex::JOINT_STEPS};
+use edgewalker::motion::{
+    Body, Control, EventKind, Mode, Terrain, Trace, check::check, vertex::JOINT_STEPS,
+};
 use edgewalker::tune::Motion;
 use glam::DVec2;
-use rand_pcg::Pcg64Mcg;
-use rand_pcg::rand_core::Rng;
 use std::collections::BTreeMap;
-
-/// Uniform numbers from the portable generator.
-struct Dice(Pcg64Mcg);
-
-impl Dice {
-    fn new(seed: u64) -> Dice {
-        Dice(Pcg64Mcg::new(0xcafe_f00d_d15e_a5e5 ^ (u128::from(seed) << 64 | u128::from(seed))))
-    }
-
-    fn unit(&mut self) -> f64 {
-        (self.0.next_u64() >> 11) as f64 / (1u64 << 53) as f64
-    }
-
-    fn within(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.unit()
-    }
-
-    fn below(&mut self, n: u32) -> u32 {
-        (self.unit() * f64::from(n)) as u32
-    }
-}
+use worlds::Dice;
 
 /// Half the width of a random level, m.
 const REACH: f64 = 22.0;
@@ -37,7 +20,11 @@ const REACH: f64 = 22.0;
 /// The outlines of a random level: a floor and a litter of polygons of one of the world families, perhaps rotated.
 fn level(dice: &mut Dice) -> Vec<Vec<Point>> {
     let family = dice.below(3);
-    let turn = if dice.below(2) == 0 { 0.0 } else { dice.within(-0.6, 0.6) };
+    let turn = if dice.below(2) == 0 {
+        0.0
+    } else {
+        dice.between(-0.6, 0.6)
+    };
     let (sin, cos) = (libm::sin(turn), libm::cos(turn));
     let mut outlines: Vec<Vec<DVec2>> = vec![
         rect(-REACH - 2.0, -12.0, REACH + 2.0, -10.0),
@@ -45,31 +32,57 @@ fn level(dice: &mut Dice) -> Vec<Vec<Point>> {
         rect(REACH, -12.0, REACH + 2.0, 12.0),
     ];
     for _ in 0..30 + dice.below(30) {
-        let at = DVec2::new(dice.within(-REACH, REACH), dice.within(-11.0, 8.0));
+        let at = DVec2::new(dice.between(-REACH, REACH), dice.between(-11.0, 8.0));
         outlines.push(match family {
             0 => gon(dice, at),
             1 => {
                 let at = (at * 2.0).round() / 2.0;
-                let (w, h) = (f64::from(1 + dice.below(8)) / 2.0, f64::from(1 + dice.below(4)) / 2.0);
-                if dice.below(2) == 0 { rect(at.x, at.y, at.x + w, at.y + h) } else { vec![at, at + DVec2::new(w, 0.0), at + DVec2::new(w, h)] }
+                let (w, h) = (
+                    f64::from(1 + dice.below(8)) / 2.0,
+                    f64::from(1 + dice.below(4)) / 2.0,
+                );
+                if dice.below(2) == 0 {
+                    rect(at.x, at.y, at.x + w, at.y + h)
+                } else {
+                    vec![at, at + DVec2::new(w, 0.0), at + DVec2::new(w, h)]
+                }
             }
             _ => {
                 let at = at.round();
-                rect(at.x, at.y, at.x + 1.0 + f64::from(dice.below(4)), at.y + 1.0)
+                rect(
+                    at.x,
+                    at.y,
+                    at.x + 1.0 + f64::from(dice.below(4)),
+                    at.y + 1.0,
+                )
             }
         });
     }
-    let place = |p: DVec2| Point::snap(DVec2::new(cos * p.x - sin * p.y, sin * p.x + cos * p.y)).unwrap();
-    outlines.iter().map(|o| o.iter().map(|&p| place(p)).collect()).collect()
+    let place =
+        |p: DVec2| Point::snap(DVec2::new(cos * p.x - sin * p.y, sin * p.x + cos * p.y)).unwrap();
+    outlines
+        .iter()
+        .map(|o| o.iter().map(|&p| place(p)).collect())
+        .collect()
 }
 
 fn rect(x0: f64, y0: f64, x1: f64, y1: f64) -> Vec<DVec2> {
-    vec![DVec2::new(x0, y0), DVec2::new(x1, y0), DVec2::new(x1, y1), DVec2::new(x0, y1)]
+    vec![
+        DVec2::new(x0, y0),
+        DVec2::new(x1, y0),
+        DVec2::new(x1, y1),
+        DVec2::new(x0, y1),
+    ]
 }
 
 /// A polygon of 3 to 6 corners on an ellipse.
 fn gon(dice: &mut Dice, at: DVec2) -> Vec<DVec2> {
-    let (n, wide, tall, start) = (3 + dice.below(4), dice.within(0.5, 4.0), dice.within(0.5, 2.5), dice.within(0.0, 6.0));
+    let (n, wide, tall, start) = (
+        3 + dice.below(4) as u32,
+        dice.between(0.5, 4.0),
+        dice.between(0.5, 2.5),
+        dice.between(0.0, 6.0),
+    );
     let corner = |i: u32| {
         let angle = start + f64::from(i) / f64::from(n) * std::f64::consts::TAU;
         at + DVec2::new(wide * libm::cos(angle), tall * libm::sin(angle))
@@ -78,7 +91,10 @@ fn gon(dice: &mut Dice, at: DVec2) -> Vec<DVec2> {
 }
 
 fn mirrored(outlines: &[Vec<Point>]) -> Vec<Vec<Point>> {
-    outlines.iter().map(|o| o.iter().rev().map(|p| Point::new(-p.x, p.y)).collect()).collect()
+    outlines
+        .iter()
+        .map(|o| o.iter().rev().map(|p| Point::new(-p.x, p.y)).collect())
+        .collect()
 }
 
 fn meshes(outlines: &[Vec<Point>]) -> [Mesh; 2] {
@@ -91,7 +107,11 @@ fn meshes(outlines: &[Vec<Point>]) -> [Mesh; 2] {
 /// A control that is held for a while.
 fn control(dice: &mut Dice) -> Control {
     let run = [-1.0, 1.0, -1.0, 1.0, 0.0, 0.4][dice.below(6) as usize];
-    Control { run, jump: dice.below(3) == 0, down: dice.below(6) == 0 }
+    Control {
+        run,
+        jump: dice.below(3) == 0,
+        down: dice.below(6) == 0,
+    }
 }
 
 fn tuning(dice: &mut Dice) -> Motion {
@@ -99,7 +119,7 @@ fn tuning(dice: &mut Dice) -> Motion {
         joint: f64::from(dice.below(3)),
         concave: f64::from(dice.below(2)),
         max_slope: [1.0, 1.0, 0.5, 2.0][dice.below(4) as usize],
-        run_speed: dice.within(2.0, 20.0),
+        run_speed: dice.between(2.0, 20.0),
         ..Motion::default()
     }
 }
@@ -154,10 +174,15 @@ fn tick(body: &mut Body, to: f64, terrain: &Terrain, trace: &mut Trace) -> Resul
         let (q, w) = (body.position(), body.velocity());
         let slack = f64::from(2 * JOINT_STEPS) * edgewalker::geom::STEP * (1 + news.len()) as f64;
         if (q - p).length() > slack {
-            return Err(format!("I6: an event moved the body by {} at {p}: {news:?}", q - p));
+            return Err(format!(
+                "I6: an event moved the body by {} at {p}: {news:?}",
+                q - p
+            ));
         }
         if w.length() > v.length() * (1.0 + 1e-12) + 1e-12 {
-            return Err(format!("I6: an event sped the body up from {v} to {w} at {p}: {news:?}"));
+            return Err(format!(
+                "I6: an event sped the body up from {v} to {w} at {p}: {news:?}"
+            ));
         }
     }
     body.advance(to, terrain, trace);
@@ -170,7 +195,7 @@ fn tick(body: &mut Body, to: f64, terrain: &Terrain, trace: &mut Trace) -> Resul
 /// Free places to start from.
 fn start(dice: &mut Dice, terrain: &Terrain, time: f64) -> Body {
     loop {
-        let at = DVec2::new(dice.within(-REACH, REACH), dice.within(-9.0, 10.0));
+        let at = DVec2::new(dice.between(-REACH, REACH), dice.between(-9.0, 10.0));
         if let Ok(body) = Body::spawn(at, time, terrain) {
             return body;
         }
@@ -183,7 +208,11 @@ fn run(seed: u64, ticks: u64, tally: &mut Tally) -> Result<(), String> {
     let outlines = level(&mut dice);
     let [stand, crouch] = meshes(&outlines);
     let tuning = tuning(&mut dice);
-    let terrain = Terrain { stand: &stand, crouch: &crouch, tuning: &tuning };
+    let terrain = Terrain {
+        stand: &stand,
+        crouch: &crouch,
+        tuning: &tuning,
+    };
     let rate = [30.0, 60.0, 120.0, 240.0, 1000.0][dice.below(5) as usize];
     let mut body = start(&mut dice, &terrain, 0.0);
     let (mut trace, mut hold, mut born) = (Trace::default(), 0, 0);
@@ -195,7 +224,14 @@ fn run(seed: u64, ticks: u64, tally: &mut Tally) -> Result<(), String> {
         }
         hold -= 1;
         let to = n as f64 / rate;
-        let context = |e: String, body: &Body| format!("seed {seed}, tick {n} at {rate} Hz, {}: {e}, {:?} {:?}", body.position(), body.velocity(), body.control());
+        let context = |e: String, body: &Body| {
+            format!(
+                "seed {seed}, tick {n} at {rate} Hz, {}: {e}, {:?} {:?}",
+                body.position(),
+                body.velocity(),
+                body.control()
+            )
+        };
         tick(&mut body, to, &terrain, &mut trace).map_err(|e| context(e, &body))?;
         tally.note(&body, &trace);
         if trace.events.iter().any(|e| e.kind == EventKind::Stuck) {
@@ -212,7 +248,9 @@ fn run(seed: u64, ticks: u64, tally: &mut Tally) -> Result<(), String> {
 }
 
 fn env(name: &str, default: u64) -> u64 {
-    std::env::var(name).ok().map_or(default, |s| s.parse().expect("a number"))
+    std::env::var(name)
+        .ok()
+        .map_or(default, |s| s.parse().expect("a number"))
 }
 
 #[test]
@@ -228,7 +266,10 @@ fn a_million_random_ticks_keep_every_invariant() {
         }
         seed += 1;
     }
-    println!("{} ticks, modes {:?}, events {:?}", tally.ticks, tally.modes, tally.events);
+    println!(
+        "{} ticks, modes {:?}, events {:?}",
+        tally.ticks, tally.modes, tally.events
+    );
     assert_eq!(failures, Vec::<String>::new());
     for (mode, count) in &tally.modes {
         assert!(*count * 10_000 > tally.ticks, "{mode} is too rare: {count}");
@@ -238,13 +279,23 @@ fn a_million_random_ticks_keep_every_invariant() {
 }
 
 /// One random run as a list of states at common times; `split` cuts every stretch between inputs into ticks.
-fn states(seed: u64, outlines: &[Vec<Point>], sign: f64, split: impl Fn(&mut Dice) -> u32, resume: bool) -> Vec<[u64; 4]> {
+fn states(
+    seed: u64,
+    outlines: &[Vec<Point>],
+    sign: f64,
+    split: impl Fn(&mut Dice) -> u32,
+    resume: bool,
+) -> Vec<[u64; 4]> {
     let mut dice = Dice::new(seed ^ 0x5eed);
     let [stand, crouch] = meshes(outlines);
     let tuning = tuning(&mut dice);
-    let terrain = Terrain { stand: &stand, crouch: &crouch, tuning: &tuning };
+    let terrain = Terrain {
+        stand: &stand,
+        crouch: &crouch,
+        tuning: &tuning,
+    };
     let mut body = loop {
-        let at = DVec2::new(sign * dice.within(-REACH, REACH), dice.within(-9.0, 10.0));
+        let at = DVec2::new(sign * dice.between(-REACH, REACH), dice.between(-9.0, 10.0));
         if let Ok(body) = Body::spawn(at, 0.0, &terrain) {
             break body;
         }
@@ -254,11 +305,22 @@ fn states(seed: u64, outlines: &[Vec<Point>], sign: f64, split: impl Fn(&mut Dic
     let mut out = Vec::new();
     for stretch in 0..100u32 {
         let wish = control(&mut dice);
-        body.apply(Control { run: wish.run * sign, ..wish }, &terrain, &mut trace);
+        body.apply(
+            Control {
+                run: wish.run * sign,
+                ..wish
+            },
+            &terrain,
+            &mut trace,
+        );
         let (from, to) = (f64::from(stretch) / 10.0, f64::from(stretch + 1) / 10.0);
         let ticks = split(&mut cuts);
         for tick in 1..ticks {
-            body.advance(from + (to - from) * f64::from(tick) / f64::from(ticks), &terrain, &mut trace);
+            body.advance(
+                from + (to - from) * f64::from(tick) / f64::from(ticks),
+                &terrain,
+                &mut trace,
+            );
         }
         body.advance(to, &terrain, &mut trace);
         if resume {
@@ -275,17 +337,48 @@ fn the_same_bits_again_resumed_mirrored_split_and_far_from_edits() {
     for seed in 0..60 {
         let outlines = level(&mut Dice::new(seed));
         let once = states(seed, &outlines, 1.0, |_| 1, false);
-        assert_eq!(once, states(seed, &outlines, 1.0, |_| 1, false), "I7, again, seed {seed}");
-        assert_eq!(once, states(seed, &outlines, 1.0, |_| 3, true), "I7, resumed, seed {seed}");
-        assert_eq!(once, states(seed, &outlines, 1.0, |dice| 1 + dice.below(40), false), "split at random, seed {seed}");
-        assert_eq!(once, states(seed, &mirrored(&outlines), -1.0, |_| 2, false), "I7, mirrored, seed {seed}");
+        assert_eq!(
+            once,
+            states(seed, &outlines, 1.0, |_| 1, false),
+            "I7, again, seed {seed}"
+        );
+        assert_eq!(
+            once,
+            states(seed, &outlines, 1.0, |_| 3, true),
+            "I7, resumed, seed {seed}"
+        );
+        assert_eq!(
+            once,
+            states(
+                seed,
+                &outlines,
+                1.0,
+                |dice| 1 + dice.below(40) as u32,
+                false
+            ),
+            "split at random, seed {seed}"
+        );
+        assert_eq!(
+            once,
+            states(seed, &mirrored(&outlines), -1.0, |_| 2, false),
+            "I7, mirrored, seed {seed}"
+        );
         let mut edited = outlines.clone();
         for _ in 0..20 {
             let dice = &mut Dice::new(seed + 100);
-            let at = DVec2::new(dice.within(60.0, 90.0), dice.within(-50.0, 50.0));
-            edited.push(gon(dice, at).iter().map(|&p| Point::snap(p).unwrap()).collect());
+            let at = DVec2::new(dice.between(60.0, 90.0), dice.between(-50.0, 50.0));
+            edited.push(
+                gon(dice, at)
+                    .iter()
+                    .map(|&p| Point::snap(p).unwrap())
+                    .collect(),
+            );
         }
-        assert_eq!(once, states(seed, &edited, 1.0, |_| 1, false), "I9, seed {seed}");
+        assert_eq!(
+            once,
+            states(seed, &edited, 1.0, |_| 1, false),
+            "I9, seed {seed}"
+        );
     }
 }
 
@@ -296,7 +389,11 @@ fn idle_is_frozen() {
         let mut dice = Dice::new(seed);
         let [stand, crouch] = meshes(&level(&mut dice));
         let tuning = Motion::default();
-        let terrain = Terrain { stand: &stand, crouch: &crouch, tuning: &tuning };
+        let terrain = Terrain {
+            stand: &stand,
+            crouch: &crouch,
+            tuning: &tuning,
+        };
         let mut body = start(&mut dice, &terrain, 0.0);
         let mut trace = Trace::default();
         body.advance(20.0, &terrain, &mut trace);

@@ -60,11 +60,17 @@ impl std::fmt::Display for ReplayError {
     fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
         match self {
             ReplayError::Syntax(error) => f.write_str(error),
-            ReplayError::Version(found) => write!(f, "field `version`: {found} is not understood, only {VERSION} is"),
+            ReplayError::Version(found) => write!(
+                f,
+                "field `version`: {found} is not understood, only {VERSION} is"
+            ),
             ReplayError::Field(name, problem) => write!(f, "field `{name}`: {problem}"),
             ReplayError::Tuning(error) => write!(f, "tuning, {error}"),
             ReplayError::OtherLevel { recorded, found } => {
-                write!(f, "field `fingerprint`: recorded in level {recorded}, but the level is now {found}")
+                write!(
+                    f,
+                    "field `fingerprint`: recorded in level {recorded}, but the level is now {found}"
+                )
             }
         }
     }
@@ -82,7 +88,15 @@ impl Replay {
     /// The start of a recording.
     pub fn new(level: &str, stage: &Stage, tick_rate: u32, seed: u64, tuning: &Tuning) -> Replay {
         let fingerprint = format!("{:016x}", stage.fingerprint());
-        Replay { version: VERSION, level: level.to_owned(), fingerprint, tick_rate, seed, tuning: tuning.clone(), inputs: Vec::new() }
+        Replay {
+            version: VERSION,
+            level: level.to_owned(),
+            fingerprint,
+            tick_rate,
+            seed,
+            tuning: tuning.clone(),
+            inputs: Vec::new(),
+        }
     }
 
     /// Adds a tick.
@@ -100,7 +114,9 @@ impl Replay {
 
     /// The input of every tick.
     pub fn iter(&self) -> impl Iterator<Item = Input> + '_ {
-        self.inputs.iter().flat_map(|&(ticks, input)| std::iter::repeat_n(input, ticks as usize))
+        self.inputs
+            .iter()
+            .flat_map(|&(ticks, input)| std::iter::repeat_n(input, ticks as usize))
     }
 
     /// A world as it was when the recording began.
@@ -110,7 +126,10 @@ impl Replay {
     pub fn world(&self, stage: Arc<Stage>) -> Result<World, ReplayError> {
         let found = format!("{:016x}", stage.fingerprint());
         if found != self.fingerprint {
-            return Err(ReplayError::OtherLevel { recorded: self.fingerprint.clone(), found });
+            return Err(ReplayError::OtherLevel {
+                recorded: self.fingerprint.clone(),
+                found,
+            });
         }
         Ok(World::new(stage, self.tick_rate, self.seed))
     }
@@ -156,13 +175,22 @@ impl Replay {
             return Err(ReplayError::Version(self.version));
         }
         if !(1..=FASTEST).contains(&self.tick_rate) {
-            return Err(ReplayError::Field("tick_rate", format!("{} is outside 1..={FASTEST}", self.tick_rate)));
+            return Err(ReplayError::Field(
+                "tick_rate",
+                format!("{} is outside 1..={FASTEST}", self.tick_rate),
+            ));
         }
         if let Some(i) = self.inputs.iter().position(|&(ticks, _)| ticks == 0) {
-            return Err(ReplayError::Field("inputs", format!("entry {i} lasts 0 ticks")));
+            return Err(ReplayError::Field(
+                "inputs",
+                format!("entry {i} lasts 0 ticks"),
+            ));
         }
         if self.ticks() > LONGEST {
-            return Err(ReplayError::Field("inputs", format!("{} ticks are more than {LONGEST}", self.ticks())));
+            return Err(ReplayError::Field(
+                "inputs",
+                format!("{} ticks are more than {LONGEST}", self.ticks()),
+            ));
         }
         self.tuning.check().map_err(ReplayError::Tuning)
     }

@@ -39,7 +39,10 @@ pub enum StageError {
 impl std::fmt::Display for StageError {
     fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
         match self {
-            StageError::Corner { feature, corner } => write!(f, "feature \"{feature}\", outline[{corner}]: outside the world"),
+            StageError::Corner { feature, corner } => write!(
+                f,
+                "feature \"{feature}\", outline[{corner}]: outside the world"
+            ),
             StageError::Mesh(error) => write!(f, "mesh: {error}"),
             StageError::Start(error) => write!(f, "start: {error}"),
         }
@@ -56,11 +59,23 @@ impl Stage {
     pub fn build(level: Level) -> Result<Stage, StageError> {
         let outlines = snapped(&level)?;
         let mesh = |collider: &Collider| {
-            let features: Vec<_> = outlines.iter().map(|outline| expand(outline, collider)).collect();
+            let features: Vec<_> = outlines
+                .iter()
+                .map(|outline| expand(outline, collider))
+                .collect();
             Mesh::build(&features).map_err(StageError::Mesh)
         };
-        let (stand, crouch, outline) = (mesh(&Collider::hero())?, mesh(&Collider::hero_crouched())?, mesh(&Collider::point())?);
-        let stage = Stage { level, stand, crouch, outline };
+        let (stand, crouch, outline) = (
+            mesh(&Collider::hero())?,
+            mesh(&Collider::hero_crouched())?,
+            mesh(&Collider::point())?,
+        );
+        let stage = Stage {
+            level,
+            stand,
+            crouch,
+            outline,
+        };
         let tuning = Motion::default();
         Body::spawn(stage.level.start, 0.0, &stage.terrain(&tuning)).map_err(StageError::Start)?;
         Ok(stage)
@@ -68,7 +83,11 @@ impl Stage {
 
     /// What bodies move in.
     pub fn terrain<'a>(&'a self, tuning: &'a Motion) -> Terrain<'a> {
-        Terrain { stand: &self.stand, crouch: &self.crouch, tuning }
+        Terrain {
+            stand: &self.stand,
+            crouch: &self.crouch,
+            tuning,
+        }
     }
 
     /// Hash of what the level says, whatever its layout and comments.
@@ -81,8 +100,19 @@ impl Stage {
 /// The outlines on the grid.
 fn snapped(level: &Level) -> Result<Vec<Vec<Point>>, StageError> {
     let corner = |feature: &str, (corner, p)| {
-        Point::snap(p).ok_or_else(|| StageError::Corner { feature: feature.to_owned(), corner })
+        Point::snap(p).ok_or_else(|| StageError::Corner {
+            feature: feature.to_owned(),
+            corner,
+        })
     };
-    let outline = |feature: &crate::level::Feature| feature.outline.iter().copied().enumerate().map(|c| corner(&feature.id, c)).collect();
+    let outline = |feature: &crate::level::Feature| {
+        feature
+            .outline
+            .iter()
+            .copied()
+            .enumerate()
+            .map(|c| corner(&feature.id, c))
+            .collect()
+    };
     level.features.iter().map(outline).collect()
 }

@@ -58,7 +58,8 @@ impl World {
         let stage = Arc::clone(&self.stage);
         if self.tuning != tuning.motion {
             self.tuning = tuning.motion.clone();
-            self.hero.retune(&stage.terrain(&self.tuning), &mut self.trace);
+            self.hero
+                .retune(&stage.terrain(&self.tuning), &mut self.trace);
         }
         if input.retry && !self.retry {
             self.restart();
@@ -147,7 +148,14 @@ impl World {
         let mut hash = Xxh3::new();
         self.hero.hash_into(&mut hash);
         let won = self.won_at.unwrap_or(-1.0);
-        for word in [self.tick, self.seed, u64::from(self.deaths), u64::from(self.retry), self.facing.to_bits(), won.to_bits()] {
+        for word in [
+            self.tick,
+            self.seed,
+            u64::from(self.deaths),
+            u64::from(self.retry),
+            self.facing.to_bits(),
+            won.to_bits(),
+        ] {
             hash.update(&word.to_le_bytes());
         }
         hash.digest()
@@ -190,13 +198,18 @@ impl World {
 }
 
 fn at_start(stage: &Stage, time: f64, tuning: &Motion) -> Body {
-    Body::spawn(stage.level.start, time, &stage.terrain(tuning)).expect("the stage was built with a free start")
+    Body::spawn(stage.level.start, time, &stage.terrain(tuning))
+        .expect("the stage was built with a free start")
 }
 
 impl Input {
     /// As the hero's body takes it.
     pub fn control(self) -> Control {
-        Control { run: f64::from(self.run.max(-127)) / 127.0, jump: self.jump, down: self.down }
+        Control {
+            run: f64::from(self.run.max(-127)) / 127.0,
+            jump: self.jump,
+            down: self.down,
+        }
     }
 }
 

@@ -21,17 +21,27 @@ impl Air {
         let mut best: Option<(f64, bool, EdgeId)> = None;
         for e in [first, second, mesh.lnext(second)] {
             let blocks = mesh.blocks(e);
-            let Some(at) = self.leaves(mesh, e, blocks) else { continue };
+            let Some(at) = self.leaves(mesh, e, blocks) else {
+                continue;
+            };
             // At a vertex a free edge goes first: whether the corner is hit is for the face behind it to say.
             if best.is_none_or(|(b, stops, _)| at < b || at == b && stops && !blocks) {
                 best = Some((at, blocks, e));
             }
         }
         let left = best.map(|(dt, blocks, e)| match blocks {
-            true => (self.t0 + self.on_feature_edge(mesh, e, dt, tuning), Next::Hit(e, dt)),
+            true => (
+                self.t0 + self.on_feature_edge(mesh, e, dt, tuning),
+                Next::Hit(e, dt),
+            ),
             false => (self.t0 + dt, Next::Cross(e, dt)),
         });
-        let limit = self.limits.iter().flatten().map(|l| l.0).min_by(f64::total_cmp);
+        let limit = self
+            .limits
+            .iter()
+            .flatten()
+            .map(|l| l.0)
+            .min_by(f64::total_cmp);
         match (left, limit) {
             (Some(left), Some(limit)) if limit < left.0 => Some((limit, Next::Limit)),
             (None, Some(limit)) => Some((limit, Next::Limit)),
@@ -46,12 +56,15 @@ impl Air {
         if !blocks {
             return Some(over_piece);
         }
-        let touched = mesh.uses(e).find(|u| !u.forward && self.touching.contains(&Some(u.segment)));
+        let touched = mesh
+            .uses(e)
+            .find(|u| !u.forward && self.touching.contains(&Some(u.segment)));
         match touched {
             None => Some(over_piece),
             // Its pieces may point anywhere. It is hit only by coming down on the feature edge again.
             Some(u) => {
-                let (c, b, q) = Track::of(mesh.segment(u.segment)).height(self.p0, self.v0, self.accel);
+                let (c, b, q) =
+                    Track::of(mesh.segment(u.segment)).height(self.p0, self.v0, self.accel);
                 let (c, b) = if c <= 0.0 { (0.0, b.max(0.0)) } else { (c, b) };
                 Some(over_piece.max(exit(c, b, q, self.since)?))
             }
@@ -64,16 +77,25 @@ impl Air {
         let (dx, dy) = delta(from, to);
         let d = DVec2::new(dx as f64, dy as f64);
         let anchor = if dy < 0 { to } else { from };
-        (d.perp_dot(self.p0 - anchor.metres()), d.perp_dot(self.v0), 0.5 * d.perp_dot(self.accel))
+        (
+            d.perp_dot(self.p0 - anchor.metres()),
+            d.perp_dot(self.v0),
+            0.5 * d.perp_dot(self.accel),
+        )
     }
 
     /// The time of a hit on a piece of a feature edge is that on the feature edge itself: a piece that was cut lies up to
     /// half a step beside it, and so cuts elsewhere along it change nothing, nor does which of several collinear edges is hit.
     fn on_feature_edge(&self, mesh: &Mesh, e: EdgeId, dt: f64, tuning: &Motion) -> f64 {
-        let Some(s) = segment_at(mesh, e, tuning.max_slope, |_| false) else { return dt };
+        let Some(s) = segment_at(mesh, e, tuning.max_slope, |_| false) else {
+            return dt;
+        };
         let (c, b, q) = Track::of(mesh.segment(s)).height(self.p0, self.v0, self.accel);
-        let moved = |there: f64| (self.position(self.t0 + there) - self.position(self.t0 + dt)).length();
-        exit(c.max(0.0), b, q, self.since).filter(|&there| moved(there) <= DISPLACED).unwrap_or(dt)
+        let moved =
+            |there: f64| (self.position(self.t0 + there) - self.position(self.t0 + dt)).length();
+        exit(c.max(0.0), b, q, self.since)
+            .filter(|&there| moved(there) <= DISPLACED)
+            .unwrap_or(dt)
     }
 }
 
@@ -85,7 +107,9 @@ impl Body {
     pub(super) fn cross(&mut self, edge: EdgeId, since: f64, terrain: &Terrain, trace: &mut Trace) {
         let mesh = terrain.mesh(self.size);
         if let Mode::Air(air) = &mut self.mode {
-            air.face = mesh.left(mesh.sym(edge)).expect("a free edge has a face on either side");
+            air.face = mesh
+                .left(mesh.sym(edge))
+                .expect("a free edge has a face on either side");
             air.since = since;
         }
         trace.crossed += 1;
@@ -124,9 +148,15 @@ impl Body {
             return;
         }
         let ends = [mesh.origin(edge), mesh.dest(edge)].map(|v| track.parameter_of(mesh.point(v)));
-        let s = track.parameter(at).clamp(ends[0].min(ends[1]), ends[0].max(ends[1]));
+        let s = track
+            .parameter(at)
+            .clamp(ends[0].min(ends[1]), ends[0].max(ends[1]));
         let along = track.tangent * track.tangent.dot(v);
-        let u = if self.is_held_between(at, along, mesh) { 0.0 } else { track.tangent.dot(v) };
+        let u = if self.is_held_between(at, along, mesh) {
+            0.0
+        } else {
+            track.tangent.dot(v)
+        };
         self.settle(segment, edge, s, u, into, terrain, trace);
     }
 
@@ -134,7 +164,9 @@ impl Body {
     /// apart from by more than a joint: the solution for two edges at once is rest. Without it a body that rises into a
     /// crevice is thrown from side to side ever faster.
     fn is_held_between(&self, at: DVec2, v: DVec2, mesh: &Mesh) -> bool {
-        let Mode::Air(air) = &self.mode else { return false };
+        let Mode::Air(air) = &self.mode else {
+            return false;
+        };
         air.touching.iter().flatten().any(|&s| {
             let (height, away, _) = Track::of(mesh.segment(s)).height(at, v, DVec2::ZERO);
             height <= f64::from(JOINT_STEPS) * STEP && away < 0.0
@@ -144,7 +176,16 @@ impl Body {
     /// Comes to a surface, at a parameter, with a speed along it and a speed into it. Ground is landed on; what cannot be
     /// stood on is slid along. [`Body::part_if_pulled`] decides whether it lasts.
     #[allow(clippy::too_many_arguments)]
-    pub(super) fn settle(&mut self, segment: SegmentId, edge: EdgeId, s0: f64, u0: f64, into: f64, terrain: &Terrain, trace: &mut Trace) {
+    pub(super) fn settle(
+        &mut self,
+        segment: SegmentId,
+        edge: EdgeId,
+        s0: f64,
+        u0: f64,
+        into: f64,
+        terrain: &Terrain,
+        trace: &mut Trace,
+    ) {
         let mesh = terrain.mesh(self.size);
         let feature_edge = mesh.segment(segment);
         let walkable = walkable(feature_edge, terrain.tuning.max_slope);
@@ -156,14 +197,32 @@ impl Body {
         }
         let track = Track::of(feature_edge);
         let (accel, limit, since, against) = (0.0, None, 0.0, 0.0);
-        self.mode = Mode::Surface(Surface { t0: self.time, s0, u0, accel, limit, segment, track, edge, since, walkable, against });
+        self.mode = Mode::Surface(Surface {
+            t0: self.time,
+            s0,
+            u0,
+            accel,
+            limit,
+            segment,
+            track,
+            edge,
+            since,
+            walkable,
+            against,
+        });
     }
 
     /// Off a steep surface as soon as something pulls the body from it.
     pub(super) fn part_if_pulled(&mut self, terrain: &Terrain, trace: &mut Trace) {
-        let Mode::Surface(on) = &self.mode else { return };
+        let Mode::Surface(on) = &self.mode else {
+            return;
+        };
         if !on.walkable && self.pulled_off(&on.track, on.u0, terrain) {
-            let (segment, v, face) = (on.segment, on.track.tangent * on.u0, self.face(terrain.mesh(self.size)));
+            let (segment, v, face) = (
+                on.segment,
+                on.track.tangent * on.u0,
+                self.face(terrain.mesh(self.size)),
+            );
             self.fly(self.position(), v, face, [Some(segment), None]);
             self.log(EventKind::Parted, trace);
         }
@@ -173,8 +232,15 @@ impl Body {
     /// lifts nobody off, but it may hold one on: in flight the whole acceleration must lead away.
     pub(super) fn pulled_off(&self, track: &Track, speed: f64, terrain: &Terrain) -> bool {
         let v = track.tangent * speed;
-        let (x, y) = (law::steer(v.x, &self.control, terrain.tuning), law::fall(v.y, &self.control, terrain.tuning));
-        let push = if self.control.run != 0.0 { x.accel } else { 0.0 };
+        let (x, y) = (
+            law::steer(v.x, &self.control, terrain.tuning),
+            law::fall(v.y, &self.control, terrain.tuning),
+        );
+        let push = if self.control.run != 0.0 {
+            x.accel
+        } else {
+            0.0
+        };
         let away = |x: f64| track.normal.dot(DVec2::new(x, y.accel)) > 0.0;
         away(push) && away(x.accel)
     }
@@ -200,14 +266,24 @@ impl Body {
         };
         let vertex = mesh.origin(out);
         let sides = [out, into].map(|e| self.meet(e, vertex, accel, terrain));
-        let [Some(a), Some(b)] = sides else { return self.wedge(mesh.point(vertex).metres(), out, terrain, trace) };
-        let tip = [&a, &b].into_iter().all(|m| m.struck && m.outward > 0.0 && !m.walkable);
-        let best = [&a, &b].into_iter().filter(|m| m.struck && (m.outward >= 0.0 || m.walkable) && !tip);
+        let [Some(a), Some(b)] = sides else {
+            return self.wedge(mesh.point(vertex).metres(), out, terrain, trace);
+        };
+        let tip = [&a, &b]
+            .into_iter()
+            .all(|m| m.struck && m.outward > 0.0 && !m.walkable);
+        let best = [&a, &b]
+            .into_iter()
+            .filter(|m| m.struck && (m.outward >= 0.0 || m.walkable) && !tip);
         match best.max_by(|a, b| a.rank().partial_cmp(&b.rank()).expect("no NaN in a motion")) {
             Some(m) => {
                 let s = Track::of(mesh.segment(m.segment)).parameter_of(mesh.point(vertex));
                 let balanced = a.rank() == b.rank();
-                let along = if m.outward > 0.0 && !balanced { m.along } else { 0.0 };
+                let along = if m.outward > 0.0 && !balanced {
+                    m.along
+                } else {
+                    0.0
+                };
                 self.settle(m.segment, m.edge, s, along, m.into, terrain, trace);
             }
             None => self.wedge(mesh.point(vertex).metres(), out, terrain, trace),
@@ -215,14 +291,24 @@ impl Body {
     }
 
     /// How a motion at a vertex meets one of the edges there.
-    fn meet(&self, edge: EdgeId, vertex: VertexId, accel: DVec2, terrain: &Terrain) -> Option<Meeting> {
+    fn meet(
+        &self,
+        edge: EdgeId,
+        vertex: VertexId,
+        accel: DVec2,
+        terrain: &Terrain,
+    ) -> Option<Meeting> {
         let mesh = terrain.mesh(self.size);
         let v = self.velocity();
         let segment = segment_at(mesh, edge, terrain.tuning.max_slope, |_| false)?;
         let track = Track::of(mesh.segment(segment));
         let into = -track.normal.dot(v);
         // Along the edge and away from the vertex: with the free side on the left for the edge that starts there.
-        let away = if (mesh.origin(edge) == vertex) == track.leftward_free { 1.0 } else { -1.0 };
+        let away = if (mesh.origin(edge) == vertex) == track.leftward_free {
+            1.0
+        } else {
+            -1.0
+        };
         Some(Meeting {
             segment,
             edge,
@@ -237,7 +323,10 @@ impl Body {
 
     /// Held from here on, until a jump.
     pub(super) fn wedge(&mut self, at: DVec2, edge: EdgeId, terrain: &Terrain, trace: &mut Trace) {
-        let face = terrain.mesh(self.size).left(edge).expect("free on the left of a blocking edge");
+        let face = terrain
+            .mesh(self.size)
+            .left(edge)
+            .expect("free on the left of a blocking edge");
         self.rising = false;
         self.mode = Mode::Wedge(Wedge { at, face });
         self.log(EventKind::Wedged, trace);
@@ -263,6 +352,12 @@ struct Meeting {
 impl Meeting {
     /// Which of two edges a body goes on along; equal only for mirror images, between which it balances.
     fn rank(&self) -> (bool, bool, bool, f64, f64) {
-        (self.struck, self.walkable, self.outward >= 0.0, self.normal_y, self.into)
+        (
+            self.struck,
+            self.walkable,
+            self.outward >= 0.0,
+            self.normal_y,
+            self.into,
+        )
     }
 }

@@ -302,7 +302,10 @@ impl Body {
 
     /// Position and velocity at a later time, if nothing happened until then.
     pub fn forecast(&self, time: f64) -> (DVec2, DVec2) {
-        let later = Body { time, ..self.clone() };
+        let later = Body {
+            time,
+            ..self.clone()
+        };
         (later.position(), later.velocity())
     }
 
@@ -340,7 +343,9 @@ impl Body {
     pub fn face(&self, mesh: &Mesh) -> FaceId {
         match &self.mode {
             Mode::Air(air) => air.face,
-            Mode::Surface(on) => mesh.left(on.edge).expect("a free face lies left of a surface's edge"),
+            Mode::Surface(on) => mesh
+                .left(on.edge)
+                .expect("a free face lies left of a surface's edge"),
             Mode::Wedge(wedge) => wedge.face,
         }
     }
@@ -353,10 +358,22 @@ impl Body {
             Mode::Surface(on) => (1 + u8::from(on.walkable), [on.parameter(self.time), 0.0]),
             Mode::Wedge(_) => (3, [p.x, p.y]),
         };
-        let flags = [mode, u8::from(self.size == Size::Crouch), u8::from(self.rising)];
+        let flags = [
+            mode,
+            u8::from(self.size == Size::Crouch),
+            u8::from(self.rising),
+        ];
         hash.update(&flags);
         let timer = |t: Option<f64>| t.unwrap_or(-1.0);
-        let numbers = [place[0], place[1], v.x, v.y, self.time, timer(self.pressed_at), timer(self.coyote_from)];
+        let numbers = [
+            place[0],
+            place[1],
+            v.x,
+            v.y,
+            self.time,
+            timer(self.pressed_at),
+            timer(self.coyote_from),
+        ];
         for number in numbers {
             hash.update(&(number + 0.0).to_bits().to_le_bytes());
         }

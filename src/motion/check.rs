@@ -14,7 +14,10 @@ pub fn check(body: &Body, terrain: &Terrain, trace: &Trace) -> Result<(), String
     let mesh = terrain.mesh(body.size());
     let (p, v) = (body.position(), body.velocity());
     if !(p.is_finite() && v.is_finite() && body.time().is_finite()) {
-        return Err(format!("I3: position {p}, velocity {v}, time {}", body.time()));
+        return Err(format!(
+            "I3: position {p}, velocity {v}, time {}",
+            body.time()
+        ));
     }
     if mesh.is_solid(body.face(mesh)) {
         return Err(format!("I1: in a solid face at {p}"));
@@ -26,7 +29,10 @@ pub fn check(body: &Body, terrain: &Terrain, trace: &Trace) -> Result<(), String
     }
     let bound = 64 + trace.crossed + trace.passed;
     if trace.events.len() as u64 > bound {
-        return Err(format!("I5: {} events where {bound} are allowed", trace.events.len()));
+        return Err(format!(
+            "I5: {} events where {bound} are allowed",
+            trace.events.len()
+        ));
     }
     Ok(())
 }
@@ -34,16 +40,31 @@ pub fn check(body: &Body, terrain: &Terrain, trace: &Trace) -> Result<(), String
 /// An airborne position is at most 2 ulp outside its face; one step beside a feature edge that was just left, whose chain
 /// may lie that far from it.
 fn in_face(body: &Body, mesh: &Mesh) -> Result<(), String> {
-    let Mode::Air(air) = body.mode() else { return Ok(()) };
+    let Mode::Air(air) = body.mode() else {
+        return Ok(());
+    };
     let p = body.position();
     let mut e = mesh.face_edge(air.face);
     for _ in 0..3 {
-        let (a, b) = (mesh.point(mesh.origin(e)).metres(), mesh.point(mesh.dest(e)).metres());
+        let (a, b) = (
+            mesh.point(mesh.origin(e)).metres(),
+            mesh.point(mesh.dest(e)).metres(),
+        );
         let outside = -(b - a).perp_dot(p - a) / (b - a).length();
-        let beside = air.touching.iter().flatten().any(|&s| mesh.chain(s).len() > 2);
-        let slack = if beside { STEP } else { ulps(p.abs().max_element() + air.p0.abs().max_element()) };
+        let beside = air
+            .touching
+            .iter()
+            .flatten()
+            .any(|&s| mesh.chain(s).len() > 2);
+        let slack = if beside {
+            STEP
+        } else {
+            ulps(p.abs().max_element() + air.p0.abs().max_element())
+        };
         if outside > slack {
-            return Err(format!("I1: {outside:e} m outside its face at {p}, {slack:e} allowed"));
+            return Err(format!(
+                "I1: {outside:e} m outside its face at {p}, {slack:e} allowed"
+            ));
         }
         e = mesh.lnext(e);
     }
@@ -56,16 +77,23 @@ fn ulps(magnitude: f64) -> f64 {
 }
 
 fn on_edge(body: &Body, mesh: &Mesh) -> Result<(), String> {
-    let Mode::Surface(on) = body.mode() else { return Ok(()) };
+    let Mode::Surface(on) = body.mode() else {
+        return Ok(());
+    };
     if !mesh.blocks(on.edge) {
         return Err("I2: the edge under the body does not block".into());
     }
-    if !mesh.uses(on.edge).any(|u| u.segment == on.segment && !u.forward) {
+    if !mesh
+        .uses(on.edge)
+        .any(|u| u.segment == on.segment && !u.forward)
+    {
         return Err("I2: the feature edge does not run along the edge under the body".into());
     }
     let s = on.parameter(body.time());
-    let ends = [mesh.origin(on.edge), mesh.dest(on.edge)].map(|v| on.track.parameter_of(mesh.point(v)));
-    let slack = ulps(s.abs()) + f64::from(JOINT_STEPS) * STEP * f64::from(u8::from(mesh.chain(on.segment).len() > 2));
+    let ends =
+        [mesh.origin(on.edge), mesh.dest(on.edge)].map(|v| on.track.parameter_of(mesh.point(v)));
+    let slack = ulps(s.abs())
+        + f64::from(JOINT_STEPS) * STEP * f64::from(u8::from(mesh.chain(on.segment).len() > 2));
     if s < ends[0].min(ends[1]) - slack || s > ends[0].max(ends[1]) + slack {
         return Err(format!("I2: parameter {s} is not on the edge {ends:?}"));
     }

@@ -14,14 +14,20 @@ pub struct Law {
 }
 
 impl Law {
-    const REST: Law = Law { accel: 0.0, until: None };
+    const REST: Law = Law {
+        accel: 0.0,
+        until: None,
+    };
 
     /// Towards a speed, and no further.
     fn towards(speed: f64, target: f64, rate: f64) -> Law {
         if rate == 0.0 || speed == target {
             return Law::REST;
         }
-        Law { accel: rate.copysign(target - speed), until: Some(target) }
+        Law {
+            accel: rate.copysign(target - speed),
+            until: Some(target),
+        }
     }
 
     /// How long it holds from a speed on.
@@ -44,13 +50,29 @@ fn drive(speed: f64, target: f64, accel: f64, brake: f64, decay: f64) -> Law {
 
 /// Along walkable ground, in the direction of growing x.
 pub fn run(speed: f64, control: &Control, crouched: bool, t: &Motion) -> Law {
-    let full = if crouched { t.crouch_speed } else { t.run_speed };
-    drive(speed, control.run * full, t.run_accel, t.run_brake, t.over_speed_decay)
+    let full = if crouched {
+        t.crouch_speed
+    } else {
+        t.run_speed
+    };
+    drive(
+        speed,
+        control.run * full,
+        t.run_accel,
+        t.run_brake,
+        t.over_speed_decay,
+    )
 }
 
 /// Sideways in the air.
 pub fn steer(speed: f64, control: &Control, t: &Motion) -> Law {
-    drive(speed, control.run * t.run_speed, t.air_accel, t.air_brake, t.over_speed_decay)
+    drive(
+        speed,
+        control.run * t.run_speed,
+        t.air_accel,
+        t.air_brake,
+        t.over_speed_decay,
+    )
 }
 
 /// Up and down in the air: gravity, the band of reduced gravity about the apex of a held jump, the fast fall, the
@@ -64,7 +86,11 @@ pub fn fall(speed: f64, control: &Control, t: &Motion) -> Law {
     // Below each of these speeds another share of gravity acts; the last one is the terminal speed.
     let share = |below: f64| {
         let falling = if below <= 0.0 { heavy } else { 1.0 };
-        if floats && below <= t.apex_speed && below > -t.apex_speed { t.apex_gravity * falling } else { falling }
+        if floats && below <= t.apex_speed && below > -t.apex_speed {
+            t.apex_gravity * falling
+        } else {
+            falling
+        }
     };
     if speed < -terminal {
         return Law::towards(speed, -terminal, t.over_speed_decay);
@@ -79,7 +105,10 @@ pub fn fall(speed: f64, control: &Control, t: &Motion) -> Law {
     if heavy != 1.0 {
         marks[1] = 0.0;
     }
-    let next = marks.into_iter().find(|&m| m < speed && m > -terminal).unwrap_or(-terminal);
+    let next = marks
+        .into_iter()
+        .find(|&m| m < speed && m > -terminal)
+        .unwrap_or(-terminal);
     Law::towards(speed, next, t.gravity * share(speed))
 }
 
@@ -88,35 +117,98 @@ mod tests {
     use super::*;
 
     fn tuning() -> Motion {
-        Motion { gravity: 30.0, apex_speed: 4.0, apex_gravity: 0.5, fall_speed: 20.0, ..Motion::default() }
+        Motion {
+            gravity: 30.0,
+            apex_speed: 4.0,
+            apex_gravity: 0.5,
+            fall_speed: 20.0,
+            ..Motion::default()
+        }
     }
 
     #[test]
     fn a_held_jump_passes_the_band_of_reduced_gravity() {
-        let held = Control { jump: true, ..Control::default() };
+        let held = Control {
+            jump: true,
+            ..Control::default()
+        };
         let law = |speed| fall(speed, &held, &tuning());
-        assert_eq!(law(12.0), Law { accel: -30.0, until: Some(4.0) });
-        assert_eq!(law(4.0), Law { accel: -15.0, until: Some(-4.0) });
-        assert_eq!(law(-4.0), Law { accel: -30.0, until: Some(-20.0) });
+        assert_eq!(
+            law(12.0),
+            Law {
+                accel: -30.0,
+                until: Some(4.0)
+            }
+        );
+        assert_eq!(
+            law(4.0),
+            Law {
+                accel: -15.0,
+                until: Some(-4.0)
+            }
+        );
+        assert_eq!(
+            law(-4.0),
+            Law {
+                accel: -30.0,
+                until: Some(-20.0)
+            }
+        );
         assert_eq!(law(-20.0), Law::REST);
         assert_eq!(law(-30.0).accel, tuning().over_speed_decay);
     }
 
     #[test]
     fn a_fast_fall_starts_at_the_apex() {
-        let down = Control { down: true, ..Control::default() };
+        let down = Control {
+            down: true,
+            ..Control::default()
+        };
         let t = tuning();
-        assert_eq!(fall(3.0, &down, &t), Law { accel: -30.0, until: Some(0.0) });
-        assert_eq!(fall(0.0, &down, &t), Law { accel: -30.0 * t.fast_fall_gravity, until: Some(-t.fast_fall_speed) });
+        assert_eq!(
+            fall(3.0, &down, &t),
+            Law {
+                accel: -30.0,
+                until: Some(0.0)
+            }
+        );
+        assert_eq!(
+            fall(0.0, &down, &t),
+            Law {
+                accel: -30.0 * t.fast_fall_gravity,
+                until: Some(-t.fast_fall_speed)
+            }
+        );
     }
 
     #[test]
     fn a_run_brakes_turns_and_never_clips() {
         let t = Motion::default();
-        let right = Control { run: 1.0, ..Control::default() };
-        assert_eq!(run(0.0, &right, false, &t), Law { accel: t.run_accel, until: Some(8.0) });
-        assert_eq!(run(-2.0, &right, false, &t), Law { accel: t.run_brake, until: Some(0.0) });
-        assert_eq!(run(9.0, &right, false, &t), Law { accel: -t.over_speed_decay, until: Some(8.0) });
+        let right = Control {
+            run: 1.0,
+            ..Control::default()
+        };
+        assert_eq!(
+            run(0.0, &right, false, &t),
+            Law {
+                accel: t.run_accel,
+                until: Some(8.0)
+            }
+        );
+        assert_eq!(
+            run(-2.0, &right, false, &t),
+            Law {
+                accel: t.run_brake,
+                until: Some(0.0)
+            }
+        );
+        assert_eq!(
+            run(9.0, &right, false, &t),
+            Law {
+                accel: -t.over_speed_decay,
+                until: Some(8.0)
+            }
+        );
         assert_eq!(run(8.0, &right, false, &t), Law::REST);
         assert_eq!(run(0.0, &Control::default(), false, &t), Law::REST);
     }

@@ -21,7 +21,11 @@ pub fn exit(c: f64, b: f64, e: f64, now: f64) -> Option<f64> {
     let d = b * b - 4.0 * e * c;
     let root = if d > 0.0 {
         let sqrt = d.sqrt();
-        if b > 0.0 { (b + sqrt) / (-2.0 * e) } else { 2.0 * c / (sqrt - b) }
+        if b > 0.0 {
+            (b + sqrt) / (-2.0 * e)
+        } else {
+            2.0 * c / (sqrt - b)
+        }
     } else if e < 0.0 {
         // On the negative side throughout, by rounding: leaves as soon as it moves outwards.
         b / (-2.0 * e)

@@ -11,7 +11,12 @@ use glam::DVec2;
 /// The free face that holds a position, or borders it where it lies on an edge or a vertex; towards `v`, then `accel`.
 ///
 /// A position up to a grid step inside a solid, where only the rounding of a chain has put it, counts as on its border.
-pub(super) fn free_face(mesh: &Mesh, p: DVec2, v: DVec2, accel: DVec2) -> Result<FaceId, SpawnError> {
+pub(super) fn free_face(
+    mesh: &Mesh,
+    p: DVec2,
+    v: DVec2,
+    accel: DVec2,
+) -> Result<FaceId, SpawnError> {
     if !p.is_finite() {
         return Err(SpawnError::Outside);
     }
@@ -22,9 +27,11 @@ pub(super) fn free_face(mesh: &Mesh, p: DVec2, v: DVec2, accel: DVec2) -> Result
         Place::Vertex(w) => {
             let mut fans = spokes(mesh, w).filter(|&e| free(mesh.left(e)).is_some());
             let first = fans.next();
-            let towards = first.into_iter().chain(fans).find_map(|e| match sector(mesh, e, Bearing::of(v, accel)) {
-                Sector::Free(f) => Some(f),
-                Sector::Solid(..) => None,
+            let towards = first.into_iter().chain(fans).find_map(|e| {
+                match sector(mesh, e, Bearing::of(v, accel)) {
+                    Sector::Free(f) => Some(f),
+                    Sector::Solid(..) => None,
+                }
             });
             towards.or_else(|| first.and_then(|e| mesh.left(e)))
         }
@@ -34,13 +41,16 @@ pub(super) fn free_face(mesh: &Mesh, p: DVec2, v: DVec2, accel: DVec2) -> Result
 
 /// The free face across an edge of a solid one that is at most a step away.
 fn beside(mesh: &Mesh, solid: FaceId, p: DVec2) -> Option<FaceId> {
-    around(mesh, solid).map(|e| mesh.sym(e)).filter(|&e| mesh.blocks(e)).find_map(|e| {
-        let (a, b) = (mesh.point(mesh.origin(e)), mesh.point(mesh.dest(e)));
-        let (dx, dy) = delta(a, b);
-        let d = DVec2::new(dx as f64, dy as f64);
-        let depth = -d.perp_dot(p - a.metres()) / d.length();
-        mesh.left(e).filter(|_| depth <= STEP)
-    })
+    around(mesh, solid)
+        .map(|e| mesh.sym(e))
+        .filter(|&e| mesh.blocks(e))
+        .find_map(|e| {
+            let (a, b) = (mesh.point(mesh.origin(e)), mesh.point(mesh.dest(e)));
+            let (dx, dy) = delta(a, b);
+            let d = DVec2::new(dx as f64, dy as f64);
+            let depth = -d.perp_dot(p - a.metres()) / d.length();
+            mesh.left(e).filter(|_| depth <= STEP)
+        })
 }
 
 fn around(mesh: &Mesh, f: FaceId) -> impl Iterator<Item = EdgeId> {
@@ -51,12 +61,18 @@ fn around(mesh: &Mesh, f: FaceId) -> impl Iterator<Item = EdgeId> {
 
 /// The piece of a feature edge at a parameter that has a free face beside it, as the mesh edge with that face on its left.
 fn piece_at(mesh: &Mesh, segment: SegmentId, s: f64, on: &Surface) -> Option<EdgeId> {
-    pieces(mesh, segment, on).find(|&(from, to, _, free)| free && from.min(to) <= s && s <= from.max(to)).map(|p| p.2)
+    pieces(mesh, segment, on)
+        .find(|&(from, to, _, free)| free && from.min(to) <= s && s <= from.max(to))
+        .map(|p| p.2)
 }
 
 /// The pieces of a feature edge, from its start: parameters of both ends, the mesh edge with the free side on its left,
 /// and whether it is free there.
-fn pieces<'a>(mesh: &'a Mesh, segment: SegmentId, on: &'a Surface) -> impl Iterator<Item = (f64, f64, EdgeId, bool)> + 'a {
+fn pieces<'a>(
+    mesh: &'a Mesh,
+    segment: SegmentId,
+    on: &'a Surface,
+) -> impl Iterator<Item = (f64, f64, EdgeId, bool)> + 'a {
     mesh.chain(segment).windows(2).filter_map(move |ends| {
         let e = mesh.edge_between(ends[1], ends[0])?;
         let [from, to] = [ends[0], ends[1]].map(|v| on.track.parameter_of(mesh.point(v)));
@@ -77,7 +93,11 @@ impl Body {
     /// Down means crouch on the ground; in the air it only keeps a body crouched.
     fn wished_size(&self) -> Size {
         let may = self.supported() || self.size == Size::Crouch;
-        if self.control.down && may { Size::Crouch } else { Size::Stand }
+        if self.control.down && may {
+            Size::Crouch
+        } else {
+            Size::Stand
+        }
     }
 
     /// Takes its place in the mesh of another size. False, and nothing changed, if there is no room.
@@ -87,7 +107,9 @@ impl Body {
         let (p, v) = (self.position(), self.velocity());
         if let Mode::Surface(on) = &mut self.mode {
             let old = *terrain.mesh(self.size).segment(on.segment);
-            let same = mesh.segment_of(old.feature, old.source).filter(|&s| (mesh.segment(s).a, mesh.segment(s).b) == (old.a, old.b));
+            let same = mesh
+                .segment_of(old.feature, old.source)
+                .filter(|&s| (mesh.segment(s).a, mesh.segment(s).b) == (old.a, old.b));
             if let Some(segment) = same {
                 let edge = piece_at(mesh, segment, on.s0, on);
                 if let Some(edge) = edge {
@@ -98,7 +120,9 @@ impl Body {
         }
         // Not on anything that both sizes share: in the air, then, where it is.
         let down = DVec2::new(0.0, -1.0);
-        let Ok(face) = free_face(mesh, p, v, down) else { return false };
+        let Ok(face) = free_face(mesh, p, v, down) else {
+            return false;
+        };
         match &mut self.mode {
             Mode::Air(air) => (air.face, air.touching) = (face, [None; 2]),
             _ => self.fly(p, v, face, [None; 2]),
@@ -107,17 +131,26 @@ impl Body {
     }
 
     /// A body that waits to stand up does so as soon as there is room, within the tick.
-    pub(super) fn sooner_if_clear(&self, next: Option<(f64, Next)>, terrain: &Terrain) -> Option<(f64, Next)> {
+    pub(super) fn sooner_if_clear(
+        &self,
+        next: Option<(f64, Next)>,
+        terrain: &Terrain,
+    ) -> Option<(f64, Next)> {
         if self.wished_size() == self.size {
             return next;
         }
         let until = next.map_or(f64::INFINITY, |n| n.0);
         let clear = match &self.mode {
             Mode::Surface(on) => self.clear_along(on, terrain),
-            Mode::Air(air) => clear_in_flight(air, self.time, until, terrain.stand).map(|at| (at, None)),
+            Mode::Air(air) => {
+                clear_in_flight(air, self.time, until, terrain.stand).map(|at| (at, None))
+            }
             Mode::Wedge(_) => None,
         };
-        clear.filter(|&(at, _)| at < until).map(|(at, parameter)| (at, Next::Clear(parameter))).or(next)
+        clear
+            .filter(|&(at, _)| at < until)
+            .map(|(at, parameter)| (at, Next::Clear(parameter)))
+            .or(next)
     }
 
     /// At the place where there is room: exactly there, whatever rounding has made of the parameter.
@@ -134,15 +167,27 @@ impl Body {
         let segment = terrain.stand.segment_of(old.feature, old.source)?;
         let here = on.parameter(self.time);
         let sign = on.sign();
-        let ahead = pieces(terrain.stand, segment, on).filter(|p| p.3).map(|(from, to, ..)| if sign > 0.0 { from.min(to) } else { from.max(to) });
-        let nearest = ahead.filter(|&s| (s - here) * sign > 0.0).min_by(|a, b| (a * sign).total_cmp(&(b * sign)))?;
+        let ahead = pieces(terrain.stand, segment, on)
+            .filter(|p| p.3)
+            .map(|(from, to, ..)| {
+                if sign > 0.0 {
+                    from.min(to)
+                } else {
+                    from.max(to)
+                }
+            });
+        let nearest = ahead
+            .filter(|&s| (s - here) * sign > 0.0)
+            .min_by(|a, b| (a * sign).total_cmp(&(b * sign)))?;
         on.reaches(nearest).map(|dt| (on.t0 + dt, Some(nearest)))
     }
 }
 
 /// When a parabola comes out of the solids of a mesh: a walk through its solid faces. Not after `until`.
 fn clear_in_flight(air: &Air, now: f64, until: f64, mesh: &Mesh) -> Option<f64> {
-    let Place::Face(mut face) = mesh.locate(air.position(now), None)? else { return None };
+    let Place::Face(mut face) = mesh.locate(air.position(now), None)? else {
+        return None;
+    };
     let mut since = now - air.t0;
     while air.t0 + since < until {
         let leaves = around(mesh, face).filter_map(|e| {

@@ -1,6 +1,9 @@
 //! The order of operations: controls come in at a time, events are taken in order of time up to another.
 
-use super::body::{Air, Body, Control, EventKind, Event, Mode, Next, Size, SpawnError, Surface, Terrain, Trace, Wedge};
+use super::body::{
+    Air, Body, Control, Event, EventKind, Mode, Next, Size, SpawnError, Surface, Terrain, Trace,
+    Wedge,
+};
 use super::law;
 use glam::DVec2;
 
@@ -43,7 +46,11 @@ impl Body {
 
     /// Takes a control, from now on. An event if it differs from the one before, else nothing.
     pub fn apply(&mut self, control: Control, terrain: &Terrain, trace: &mut Trace) {
-        let run = if control.run.is_finite() { control.run.clamp(-1.0, 1.0) } else { 0.0 };
+        let run = if control.run.is_finite() {
+            control.run.clamp(-1.0, 1.0)
+        } else {
+            0.0
+        };
         let control = Control { run, ..control };
         let before = std::mem::replace(&mut self.control, control);
         if before == control {
@@ -118,15 +125,31 @@ impl Body {
     }
 
     /// Goes into the air here and now.
-    pub(super) fn fly(&mut self, p0: DVec2, v0: DVec2, face: crate::mesh::FaceId, touching: [Option<crate::mesh::SegmentId>; 2]) {
+    pub(super) fn fly(
+        &mut self,
+        p0: DVec2,
+        v0: DVec2,
+        face: crate::mesh::FaceId,
+        touching: [Option<crate::mesh::SegmentId>; 2],
+    ) {
         let (accel, limits) = (DVec2::ZERO, [None; 2]);
-        self.mode = Mode::Air(Air { t0: self.time, p0, v0, accel, limits, face, since: 0.0, touching });
+        self.mode = Mode::Air(Air {
+            t0: self.time,
+            p0,
+            v0,
+            accel,
+            limits,
+            face,
+            since: 0.0,
+            touching,
+        });
     }
 
     /// A jump, if one was asked for not too long ago and there is ground, or was not too long ago.
     fn jump_if_asked(&mut self, terrain: &Terrain, trace: &mut Trace) {
         let t = terrain.tuning;
-        let within = |since: Option<f64>, span: f64| since.is_some_and(|since| self.time - since <= span);
+        let within =
+            |since: Option<f64>, span: f64| since.is_some_and(|since| self.time - since <= span);
         if !within(self.pressed_at, t.jump_buffer) {
             return;
         }
@@ -138,7 +161,11 @@ impl Body {
         if !grounded {
             return;
         }
-        let (p, mut v, face) = (self.position(), self.velocity(), self.face(terrain.mesh(self.size)));
+        let (p, mut v, face) = (
+            self.position(),
+            self.velocity(),
+            self.face(terrain.mesh(self.size)),
+        );
         v.y = v.y.max(0.0) + t.jump_speed;
         let touching = [self.segment(), None];
         self.fly(p, v, face, touching);
@@ -156,7 +183,9 @@ impl Body {
         let cut = terrain.tuning.jump_cut_speed;
         match &mut self.mode {
             Mode::Air(air) if self.rising => air.v0.y = air.v0.y.min(cut),
-            Mode::Surface(on) if self.rising && on.track.tangent.y * on.u0 > cut => on.u0 = cut / on.track.tangent.y,
+            Mode::Surface(on) if self.rising && on.track.tangent.y * on.u0 > cut => {
+                on.u0 = cut / on.track.tangent.y
+            }
             _ => {}
         }
         self.rising = false;
@@ -165,10 +194,17 @@ impl Body {
     /// Chooses the constant accelerations of the piece that starts now, and when they stop to hold.
     fn choose_law(&mut self, terrain: &Terrain) {
         let (t, control) = (terrain.tuning, self.control);
-        let limit = |from: f64, law: law::Law, speed: f64| law.until.zip(law.time_left(speed)).map(|(until, left)| (from + left, until));
+        let limit = |from: f64, law: law::Law, speed: f64| {
+            law.until
+                .zip(law.time_left(speed))
+                .map(|(until, left)| (from + left, until))
+        };
         match &mut self.mode {
             Mode::Air(air) => {
-                let (x, y) = (law::steer(air.v0.x, &control, t), law::fall(air.v0.y, &control, t));
+                let (x, y) = (
+                    law::steer(air.v0.x, &control, t),
+                    law::fall(air.v0.y, &control, t),
+                );
                 air.accel = DVec2::new(x.accel, y.accel);
                 air.limits = [limit(air.t0, x, air.v0.x), limit(air.t0, y, air.v0.y)];
             }
@@ -185,7 +221,11 @@ impl Body {
                 let law = law::fall(on.u0 * climb, &control, t);
                 on.accel = law.accel * climb;
                 // The speeds at which the fall changes, the slide turns, and the push of the stick ends.
-                let marks = [law.until.map(|until| until / climb), Some(0.0), Some(control.run * t.run_speed / run)];
+                let marks = [
+                    law.until.map(|until| until / climb),
+                    Some(0.0),
+                    Some(control.run * t.run_speed / run),
+                ];
                 let after = |&mark: &f64| mark.is_finite() && (mark - on.u0) * on.accel > 0.0;
                 let first = |a: &f64, b: &f64| (a - on.u0).abs().total_cmp(&(b - on.u0).abs());
                 let mark = marks.into_iter().flatten().filter(after).min_by(first);
@@ -221,7 +261,9 @@ impl Body {
             Mode::Surface(on) => on.next(mesh),
             Mode::Wedge(_) => None,
         };
-        self.next = self.sooner_if_clear(found, terrain).map(|(at, what)| (at.max(self.time), what));
+        self.next = self
+            .sooner_if_clear(found, terrain)
+            .map(|(at, what)| (at.max(self.time), what));
     }
 
     /// The last resort against a cycle of events: rest where the body is.
@@ -233,7 +275,10 @@ impl Body {
     }
 
     pub(super) fn log(&self, kind: EventKind, trace: &mut Trace) {
-        trace.events.push(Event { time: self.time, kind });
+        trace.events.push(Event {
+            time: self.time,
+            kind,
+        });
     }
 }
 

@@ -3,7 +3,10 @@
 use super::body::{Body, EventKind, Mode, Next, Surface, Terrain, Trace};
 use super::roots::cover;
 use super::track::{Track, cross, dot, walkable};
-use super::vertex::{Bearing, Heading, JOINT_STEPS, Sector, ahead, behind, bridge, sector, segment_at, surface_next, turns_towards};
+use super::vertex::{
+    Bearing, Heading, JOINT_STEPS, Sector, ahead, behind, bridge, sector, segment_at, surface_next,
+    turns_towards,
+};
 use crate::geom::STEP;
 use crate::mesh::{EdgeId, Mesh, SegmentId};
 use crate::tune::Motion;
@@ -16,8 +19,12 @@ impl Surface {
         if sign == 0.0 {
             return None;
         }
-        let there = self.track.parameter_of(mesh.point(ahead(mesh, self.edge, self.heading(sign))));
-        let vertex = self.reaches(there).map(|dt| (self.t0 + dt.max(self.since), Next::Vertex));
+        let there = self
+            .track
+            .parameter_of(mesh.point(ahead(mesh, self.edge, self.heading(sign))));
+        let vertex = self
+            .reaches(there)
+            .map(|dt| (self.t0 + dt.max(self.since), Next::Vertex));
         match (vertex, self.limit) {
             (Some((at, _)), Some((limit, _))) if limit < at => Some((limit, Next::Limit)),
             (None, Some((limit, _))) => Some((limit, Next::Limit)),
@@ -35,12 +42,20 @@ impl Surface {
 
     /// Along or against the mesh edges, whose left is free.
     pub(super) fn heading(&self, sign: f64) -> Heading {
-        if (sign > 0.0) == self.track.leftward_free { Heading::Along } else { Heading::Against }
+        if (sign > 0.0) == self.track.leftward_free {
+            Heading::Along
+        } else {
+            Heading::Against
+        }
     }
 
     /// The sign of the parameter for a heading on another road.
     fn sign_on(track: &Track, heading: Heading) -> f64 {
-        if (heading == Heading::Along) == track.leftward_free { 1.0 } else { -1.0 }
+        if (heading == Heading::Along) == track.leftward_free {
+            1.0
+        } else {
+            -1.0
+        }
     }
 }
 
@@ -74,18 +89,28 @@ impl Body {
     pub(super) fn pass_vertex(&mut self, terrain: &Terrain, trace: &mut Trace) -> bool {
         let mesh = terrain.mesh(self.size);
         let now = self.time;
-        let Mode::Surface(on) = &mut self.mode else { return false };
+        let Mode::Surface(on) = &mut self.mode else {
+            return false;
+        };
         let sign = on.sign();
         let heading = on.heading(sign);
         let next = surface_next(mesh, on.edge, heading);
-        let same_line = |s: SegmentId| s == on.segment || Track::of(mesh.segment(s)).same_line(&on.track);
+        let same_line =
+            |s: SegmentId| s == on.segment || Track::of(mesh.segment(s)).same_line(&on.track);
         let segment = segment_at(mesh, next, terrain.tuning.max_slope, same_line);
         if let Some(s) = segment.filter(|&s| same_line(s)) {
             (on.edge, on.segment, on.since) = (next, s, (now - on.t0).max(on.since));
             trace.passed += 1;
             return true;
         }
-        let joint = Joint { speed: on.speed(now).abs(), sign, heading, before: on.track.heading(sign), next, segment };
+        let joint = Joint {
+            speed: on.speed(now).abs(),
+            sign,
+            heading,
+            before: on.track.heading(sign),
+            next,
+            segment,
+        };
         match on.walkable {
             true => self.walk_joint(joint, terrain, trace),
             false => self.slide_joint(joint, terrain, trace),
@@ -96,11 +121,18 @@ impl Body {
     fn walk_joint(&mut self, joint: Joint, terrain: &Terrain, trace: &mut Trace) -> bool {
         let mesh = terrain.mesh(self.size);
         let t = terrain.tuning;
-        let direct = joint.segment.filter(|&s| walkable(mesh.segment(s), t.max_slope)).map(|s| (joint.next, s));
-        if let Some((edge, s)) = direct.or_else(|| bridge(mesh, joint.next, joint.heading, t.max_slope)) {
+        let direct = joint
+            .segment
+            .filter(|&s| walkable(mesh.segment(s), t.max_slope))
+            .map(|s| (joint.next, s));
+        if let Some((edge, s)) =
+            direct.or_else(|| bridge(mesh, joint.next, joint.heading, t.max_slope))
+        {
             return self.walk_on(joint, edge, s, terrain, trace);
         }
-        let Some(s) = joint.segment else { return self.stop(joint, terrain, trace) };
+        let Some(s) = joint.segment else {
+            return self.stop(joint, terrain, trace);
+        };
         let track = Track::of(mesh.segment(s));
         let sign = Surface::sign_on(&track, joint.heading);
         let after = track.heading(sign);
@@ -119,17 +151,30 @@ impl Body {
     }
 
     /// Round a bend from walkable ground to walkable ground.
-    fn walk_on(&mut self, joint: Joint, edge: EdgeId, segment: SegmentId, terrain: &Terrain, trace: &mut Trace) -> bool {
+    fn walk_on(
+        &mut self,
+        joint: Joint,
+        edge: EdgeId,
+        segment: SegmentId,
+        terrain: &Terrain,
+        trace: &mut Trace,
+    ) -> bool {
         let mesh = terrain.mesh(self.size);
         let t = terrain.tuning;
         let now = self.time;
-        let Mode::Surface(on) = &mut self.mode else { return false };
+        let Mode::Surface(on) = &mut self.mode else {
+            return false;
+        };
         let track = Track::of(mesh.segment(segment));
         let sign = Surface::sign_on(&track, joint.heading);
         let after = track.heading(sign);
-        if cross(joint.before, after) == 0 && dot(joint.before, after) > 0 && track.axis == on.track.axis {
+        if cross(joint.before, after) == 0
+            && dot(joint.before, after) > 0
+            && track.axis == on.track.axis
+        {
             // Parallel, within the steps of a joint: the same parameter, so the piece goes on.
-            (on.edge, on.segment, on.track, on.since) = (edge, segment, track, (now - on.t0).max(on.since));
+            (on.edge, on.segment, on.track, on.since) =
+                (edge, segment, track, (now - on.t0).max(on.since));
             trace.passed += 1;
             return true;
         }
@@ -137,10 +182,26 @@ impl Body {
         if !towards && !holds(&joint, after, mesh, on.segment, segment, t) {
             return self.leave(joint, terrain, trace);
         }
-        let kept = if towards && t.concave == 1.0 { cosine(joint.before, after).max(0.0) } else { 1.0 };
+        let kept = if towards && t.concave == 1.0 {
+            cosine(joint.before, after).max(0.0)
+        } else {
+            1.0
+        };
         let s0 = track.parameter_of(mesh.point(behind(mesh, edge, joint.heading)));
         let u0 = sign * joint.speed * kept;
-        *on = Surface { t0: now, s0, u0, accel: 0.0, limit: None, segment, track, edge, since: 0.0, walkable: true, against: 0.0 };
+        *on = Surface {
+            t0: now,
+            s0,
+            u0,
+            accel: 0.0,
+            limit: None,
+            segment,
+            track,
+            edge,
+            since: 0.0,
+            walkable: true,
+            against: 0.0,
+        };
         self.log(EventKind::Joint, trace);
         false
     }
@@ -149,7 +210,9 @@ impl Body {
     fn stop(&mut self, joint: Joint, terrain: &Terrain, trace: &mut Trace) -> bool {
         let mesh = terrain.mesh(self.size);
         let now = self.time;
-        let Mode::Surface(on) = &mut self.mode else { return false };
+        let Mode::Surface(on) = &mut self.mode else {
+            return false;
+        };
         let vertex = mesh.point(ahead(mesh, on.edge, joint.heading));
         (on.t0, on.s0, on.u0, on.since) = (now, on.track.parameter_of(vertex), 0.0, 0.0);
         on.against = joint.sign;
@@ -160,8 +223,14 @@ impl Body {
     /// Off the end of a surface, in the direction of the motion so far.
     fn leave(&mut self, joint: Joint, terrain: &Terrain, trace: &mut Trace) -> bool {
         let mesh = terrain.mesh(self.size);
-        let Mode::Surface(on) = &self.mode else { return false };
-        let (edge, walkable, v) = (on.edge, on.walkable, on.track.tangent * (joint.sign * joint.speed));
+        let Mode::Surface(on) = &self.mode else {
+            return false;
+        };
+        let (edge, walkable, v) = (
+            on.edge,
+            on.walkable,
+            on.track.tangent * (joint.sign * joint.speed),
+        );
         // The edge out of the vertex that has the free face of the surface on its left.
         let spoke = match joint.heading {
             Heading::Along => mesh.lnext(edge),
@@ -174,7 +243,12 @@ impl Body {
             Sector::Solid(..) => mesh.left(spoke),
         };
         let vertex = mesh.point(mesh.origin(spoke)).metres();
-        self.fly(vertex, v, face.expect("a surface has a free face beside it"), [None; 2]);
+        self.fly(
+            vertex,
+            v,
+            face.expect("a surface has a free face beside it"),
+            [None; 2],
+        );
         if walkable {
             self.coyote_from = Some(self.time);
             self.log(EventKind::Left, trace);
@@ -187,7 +261,9 @@ impl Body {
     /// One who slides, at a joint: lands, goes on, is wedged, or flies off.
     fn slide_joint(&mut self, joint: Joint, terrain: &Terrain, trace: &mut Trace) -> bool {
         let mesh = terrain.mesh(self.size);
-        let Some(s) = joint.segment else { return self.stop(joint, terrain, trace) };
+        let Some(s) = joint.segment else {
+            return self.stop(joint, terrain, trace);
+        };
         let track = Track::of(mesh.segment(s));
         let sign = Surface::sign_on(&track, joint.heading);
         let after = track.heading(sign);
@@ -196,11 +272,23 @@ impl Body {
         }
         let vertex = mesh.point(behind(mesh, joint.next, joint.heading));
         let onward = (joint.speed * cosine(joint.before, after)).max(0.0);
-        let into = (joint.speed * joint.speed - onward * onward).max(0.0).sqrt();
+        let into = (joint.speed * joint.speed - onward * onward)
+            .max(0.0)
+            .sqrt();
         let (sinks, goes_down) = (joint.before.1 < 0, after.1 < 0);
         let lasts = onward > 0.0 || !self.pulled_off(&track, 0.0, terrain);
-        if walkable(mesh.segment(s), terrain.tuning.max_slope) || lasts && (goes_down || !sinks && onward > 0.0) {
-            self.settle(s, joint.next, track.parameter_of(vertex), sign * onward, into, terrain, trace);
+        if walkable(mesh.segment(s), terrain.tuning.max_slope)
+            || lasts && (goes_down || !sinks && onward > 0.0)
+        {
+            self.settle(
+                s,
+                joint.next,
+                track.parameter_of(vertex),
+                sign * onward,
+                into,
+                terrain,
+                trace,
+            );
         } else if sinks && !goes_down {
             // Gravity drives it back from both sides.
             self.wedge(vertex.metres(), joint.next, terrain, trace);
@@ -215,7 +303,14 @@ impl Body {
 ///
 /// By curvature: iff s^2 k <= g cos(slope) + stick, with the slope of the bisector and k = 2 tan(turn / 2) over the mean
 /// length of the two feature edges, each counted up to the curve span; independent of how finely a curve is drawn.
-fn holds(joint: &Joint, after: (i64, i64), mesh: &Mesh, from: SegmentId, to: SegmentId, t: &Motion) -> bool {
+fn holds(
+    joint: &Joint,
+    after: (i64, i64),
+    mesh: &Mesh,
+    from: SegmentId,
+    to: SegmentId,
+    t: &Motion,
+) -> bool {
     if t.joint == 0.0 {
         return true;
     }
@@ -223,14 +318,22 @@ fn holds(joint: &Joint, after: (i64, i64), mesh: &Mesh, from: SegmentId, to: Seg
         return joint.speed == 0.0;
     }
     let (l, m) = (length(joint.before), length(after));
-    let (turn, along) = (cross(joint.before, after) as f64, dot(joint.before, after) as f64);
+    let (turn, along) = (
+        cross(joint.before, after) as f64,
+        dot(joint.before, after) as f64,
+    );
     let tan_half = turn.abs() / (l * m + along);
     let span = |s: SegmentId| {
         let segment = mesh.segment(s);
-        (segment.b.metres() - segment.a.metres()).length().min(t.joint_span)
+        (segment.b.metres() - segment.a.metres())
+            .length()
+            .min(t.joint_span)
     };
     let curvature = 2.0 * tan_half / (0.5 * (span(from) + span(to)));
-    let (x, y) = (joint.before.0 as f64 / l + after.0 as f64 / m, joint.before.1 as f64 / l + after.1 as f64 / m);
+    let (x, y) = (
+        joint.before.0 as f64 / l + after.0 as f64 / m,
+        joint.before.1 as f64 / l + after.1 as f64 / m,
+    );
     let cos_slope = x.abs() / (x * x + y * y).sqrt();
     joint.speed * joint.speed * curvature <= t.gravity * cos_slope + t.joint_stick
 }

@@ -47,7 +47,11 @@ impl Track {
     pub fn of(segment: &Segment) -> Track {
         let (dx, dy) = delta(segment.a, segment.b);
         let g = gcd(dx.unsigned_abs(), dy.unsigned_abs()) as i64;
-        let axis = if dx.abs() >= dy.abs() { Axis::X } else { Axis::Y };
+        let axis = if dx.abs() >= dy.abs() {
+            Axis::X
+        } else {
+            Axis::Y
+        };
         let from_b = if axis == Axis::X { dx < 0 } else { dy < 0 };
         let sign = if from_b { -g } else { g };
         let (dx, dy) = (dx / sign, dy / sign);
@@ -58,7 +62,14 @@ impl Track {
         let side = if from_b { 1.0 } else { -1.0 };
         let normal = DVec2::new(-tangent.y * side, tangent.x * side);
         let offset = dx * i64::from(segment.a.y) - dy * i64::from(segment.a.x);
-        Track { axis, tangent, normal, leftward_free: from_b, direction: (dx, dy), offset }
+        Track {
+            axis,
+            tangent,
+            normal,
+            leftward_free: from_b,
+            direction: (dx, dy),
+            offset,
+        }
     }
 
     /// The parameter of a position.
@@ -96,23 +107,36 @@ impl Track {
     /// Also its first and second derivative along a motion: the `c`, `b`, `e` of [`super::roots::exit`].
     pub fn height(&self, p: DVec2, v: DVec2, a: DVec2) -> (f64, f64, f64) {
         let on_line = self.position(self.parameter(p));
-        (self.normal.dot(p - on_line), self.normal.dot(v), 0.5 * self.normal.dot(a))
+        (
+            self.normal.dot(p - on_line),
+            self.normal.dot(v),
+            0.5 * self.normal.dot(a),
+        )
     }
 
     /// Whether two roads lie on one line, with the free side on the same side.
     pub fn same_line(&self, other: &Track) -> bool {
-        self.direction == other.direction && self.offset == other.offset && self.leftward_free == other.leftward_free
+        self.direction == other.direction
+            && self.offset == other.offset
+            && self.leftward_free == other.leftward_free
     }
 
     /// The exact direction of a motion along the road: towards growing (1) or falling (-1) parameters.
     pub fn heading(&self, sign: f64) -> (i64, i64) {
-        if sign > 0.0 { self.direction } else { (-self.direction.0, -self.direction.1) }
+        if sign > 0.0 {
+            self.direction
+        } else {
+            (-self.direction.0, -self.direction.1)
+        }
     }
 }
 
 /// From a to b, in steps.
 pub fn delta(a: Point, b: Point) -> (i64, i64) {
-    (i64::from(b.x) - i64::from(a.x), i64::from(b.y) - i64::from(a.y))
+    (
+        i64::from(b.x) - i64::from(a.x),
+        i64::from(b.y) - i64::from(a.y),
+    )
 }
 
 /// Cross product of two exact directions. Sign: positive if `w` is counter-clockwise of `v`.
@@ -137,20 +161,31 @@ mod tests {
     use crate::mesh::Source;
 
     fn segment(a: (i32, i32), b: (i32, i32)) -> Segment {
-        Segment { a: Point::new(a.0, a.1), b: Point::new(b.0, b.1), feature: 0, source: Source::Edge { edge: 0 } }
+        Segment {
+            a: Point::new(a.0, a.1),
+            b: Point::new(b.0, b.1),
+            feature: 0,
+            source: Source::Edge { edge: 0 },
+        }
     }
 
     #[test]
     fn a_floor_has_its_normal_up_and_its_height_exact() {
         let floor = Track::of(&segment((65536 * 7, 0), (0, 0)));
-        assert_eq!((floor.axis, floor.tangent, floor.normal), (Axis::X, DVec2::X, DVec2::Y));
+        assert_eq!(
+            (floor.axis, floor.tangent, floor.normal),
+            (Axis::X, DVec2::X, DVec2::Y)
+        );
         assert_eq!(floor.position(0.1), DVec2::new(0.1, 0.0));
         assert!(floor.leftward_free);
     }
 
     #[test]
     fn collinear_edges_share_their_bits() {
-        let (long, short) = (Track::of(&segment((90, 40), (0, -20))), Track::of(&segment((30, 0), (27, -2))));
+        let (long, short) = (
+            Track::of(&segment((90, 40), (0, -20))),
+            Track::of(&segment((30, 0), (27, -2))),
+        );
         assert!(long.same_line(&short));
         assert_eq!(long.position(0.3), short.position(0.3));
     }
@@ -168,6 +203,9 @@ mod tests {
     fn forty_five_degrees_is_walkable_and_one_step_more_is_not() {
         assert!(walkable(&segment((65536, 65536), (0, 0)), 1.0));
         assert!(!walkable(&segment((65536, 65537), (0, 0)), 1.0));
-        assert!(!walkable(&segment((0, 0), (65536, 65536)), 1.0), "a ceiling");
+        assert!(
+            !walkable(&segment((0, 0), (65536, 65536)), 1.0),
+            "a ceiling"
+        );
     }
 }

@@ -66,13 +66,26 @@ pub fn surface_next(mesh: &Mesh, e: EdgeId, heading: Heading) -> EdgeId {
 /// The feature edge that a body meets at a blocking mesh edge with the free side on its left: `prefer` if it runs there,
 /// else the best of those that have their solid on the other side. Walkable ones come first, then longer ones, then
 /// earlier features; so neither ids of the mesh nor the order of insertion matter. `None` at the world's border.
-pub fn segment_at(mesh: &Mesh, e: EdgeId, max_slope: f64, prefer: impl Fn(SegmentId) -> bool) -> Option<SegmentId> {
+pub fn segment_at(
+    mesh: &Mesh,
+    e: EdgeId,
+    max_slope: f64,
+    prefer: impl Fn(SegmentId) -> bool,
+) -> Option<SegmentId> {
     let rank = |&s: &SegmentId| {
         let segment = mesh.segment(s);
         let d = delta(segment.a, segment.b);
-        (prefer(s), walkable(segment, max_slope), dot(d, d), std::cmp::Reverse((segment.feature, segment.source)))
+        (
+            prefer(s),
+            walkable(segment, max_slope),
+            dot(d, d),
+            std::cmp::Reverse((segment.feature, segment.source)),
+        )
     };
-    mesh.uses(e).filter(|u| !u.forward).map(|u| u.segment).max_by_key(rank)
+    mesh.uses(e)
+        .filter(|u| !u.forward)
+        .map(|u| u.segment)
+        .max_by_key(rank)
 }
 
 /// The free faces about a vertex between two blocking edges (or all around it).
@@ -99,7 +112,10 @@ fn fan(mesh: &Mesh, spoke: EdgeId) -> Fan {
         let next = mesh.onext(out);
         faces.push((face, out, next));
         if mesh.blocks(mesh.sym(next)) {
-            return Fan { faces, ends: Some((first, mesh.sym(next))) };
+            return Fan {
+                faces,
+                ends: Some((first, mesh.sym(next))),
+            };
         }
         out = next;
         if out == first {
@@ -130,15 +146,25 @@ pub struct Bearing {
 impl Bearing {
     /// Of a motion that starts with a velocity, or from rest.
     pub fn of(velocity: DVec2, acceleration: DVec2) -> Bearing {
-        let d = if velocity == DVec2::ZERO { acceleration } else { velocity };
-        Bearing { d, then: acceleration }
+        let d = if velocity == DVec2::ZERO {
+            acceleration
+        } else {
+            velocity
+        };
+        Bearing {
+            d,
+            then: acceleration,
+        }
     }
 
     /// Positive if the bearing is counter-clockwise of the spoke, negative if clockwise; exact.
     fn turn(&self, spoke: (i64, i64)) -> f64 {
         let sign = |v: DVec2| {
             let origin = robust::Coord { x: 0.0, y: 0.0 };
-            let spoke = robust::Coord { x: spoke.0 as f64, y: spoke.1 as f64 };
+            let spoke = robust::Coord {
+                x: spoke.0 as f64,
+                y: spoke.1 as f64,
+            };
             robust::orient2d(origin, spoke, robust::Coord { x: v.x, y: v.y })
         };
         let first = sign(self.d);
@@ -155,7 +181,10 @@ impl Bearing {
 pub fn sector(mesh: &Mesh, spoke: EdgeId, bearing: Bearing) -> Sector {
     let fan = fan(mesh, spoke);
     let vector = |e: EdgeId| delta(mesh.point(mesh.origin(e)), mesh.point(mesh.dest(e)));
-    let hit = fan.faces.iter().find(|(_, from, to)| bearing.within(vector(*from), vector(*to)));
+    let hit = fan
+        .faces
+        .iter()
+        .find(|(_, from, to)| bearing.within(vector(*from), vector(*to)));
     match (hit, fan.ends) {
         (Some(&(face, ..)), _) => Sector::Free(face),
         (None, Some((out, into))) => Sector::Solid(out, into),
@@ -168,16 +197,28 @@ pub fn sector(mesh: &Mesh, spoke: EdgeId, bearing: Bearing) -> Sector {
 ///
 /// First along the surface beyond `next`, as long as it stays in the box about the vertex; then across slits to
 /// vertices joined with this one by a free edge.
-pub fn bridge(mesh: &Mesh, next: EdgeId, heading: Heading, max_slope: f64) -> Option<(EdgeId, SegmentId)> {
+pub fn bridge(
+    mesh: &Mesh,
+    next: EdgeId,
+    heading: Heading,
+    max_slope: f64,
+) -> Option<(EdgeId, SegmentId)> {
     let home = behind(mesh, next, heading);
-    along_surface(mesh, next, heading, max_slope, mesh.point(home)).or_else(|| across_slit(mesh, home, heading, max_slope))
+    along_surface(mesh, next, heading, max_slope, mesh.point(home))
+        .or_else(|| across_slit(mesh, home, heading, max_slope))
 }
 
 fn near(p: Point, home: Point) -> bool {
     p.x.abs_diff(home.x) <= JOINT_STEPS as u32 && p.y.abs_diff(home.y) <= JOINT_STEPS as u32
 }
 
-fn along_surface(mesh: &Mesh, next: EdgeId, heading: Heading, max_slope: f64, home: Point) -> Option<(EdgeId, SegmentId)> {
+fn along_surface(
+    mesh: &Mesh,
+    next: EdgeId,
+    heading: Heading,
+    max_slope: f64,
+    home: Point,
+) -> Option<(EdgeId, SegmentId)> {
     let mut e = next;
     // The box holds 25 grid points, and the surface passes each at most once on either side of a collapsed corridor.
     for _ in 0..50 {
@@ -192,15 +233,42 @@ fn along_surface(mesh: &Mesh, next: EdgeId, heading: Heading, max_slope: f64, ho
     None
 }
 
-fn across_slit(mesh: &Mesh, home: VertexId, heading: Heading, max_slope: f64) -> Option<(EdgeId, SegmentId)> {
+fn across_slit(
+    mesh: &Mesh,
+    home: VertexId,
+    heading: Heading,
+    max_slope: f64,
+) -> Option<(EdgeId, SegmentId)> {
     let from = mesh.point(home);
-    let onward = |p: Point| near(p, from) && if heading == Heading::Along { p.x > from.x } else { p.x < from.x };
-    let rims = spokes(mesh, home).map(|e| mesh.dest(e)).filter(|&w| onward(mesh.point(w)));
-    let edges = rims.flat_map(|w| spokes(mesh, w)).map(|out| if heading == Heading::Along { out } else { mesh.sym(out) });
-    let walkable = edges.filter(|&e| mesh.blocks(e)).filter_map(|e| walkable_at(mesh, e, max_slope).map(|s| (e, s)));
+    let onward = |p: Point| {
+        near(p, from)
+            && if heading == Heading::Along {
+                p.x > from.x
+            } else {
+                p.x < from.x
+            }
+    };
+    let rims = spokes(mesh, home)
+        .map(|e| mesh.dest(e))
+        .filter(|&w| onward(mesh.point(w)));
+    let edges = rims.flat_map(|w| spokes(mesh, w)).map(|out| {
+        if heading == Heading::Along {
+            out
+        } else {
+            mesh.sym(out)
+        }
+    });
+    let walkable = edges
+        .filter(|&e| mesh.blocks(e))
+        .filter_map(|e| walkable_at(mesh, e, max_slope).map(|s| (e, s)));
     walkable.min_by_key(|&(e, s)| {
         let w = mesh.point(behind(mesh, e, heading));
-        (w.y.abs_diff(from.y), w.x.abs_diff(from.x), mesh.segment(s).feature, mesh.segment(s).source)
+        (
+            w.y.abs_diff(from.y),
+            w.x.abs_diff(from.x),
+            mesh.segment(s).feature,
+            mesh.segment(s).source,
+        )
     })
 }
 
@@ -211,7 +279,9 @@ fn walkable_at(mesh: &Mesh, e: EdgeId, max_slope: f64) -> Option<SegmentId> {
 /// The edges out of a vertex, counter-clockwise.
 pub fn spokes(mesh: &Mesh, v: VertexId) -> impl Iterator<Item = EdgeId> + '_ {
     let first = mesh.vertex_edge(v);
-    std::iter::successors(Some(first), move |&e| Some(mesh.onext(e)).filter(|&n| n != first))
+    std::iter::successors(Some(first), move |&e| {
+        Some(mesh.onext(e)).filter(|&n| n != first)
+    })
 }
 
 /// Whether the surface turns towards the body at a vertex (a concave corner), given the exact directions of motion before

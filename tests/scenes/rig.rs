@@ -36,7 +36,11 @@ impl Variant {
     }
 
     fn velocity(self, v: DVec2) -> DVec2 {
-        if self == Variant::Mirrored { DVec2::new(-v.x, v.y) } else { v }
+        if self == Variant::Mirrored {
+            DVec2::new(-v.x, v.y)
+        } else {
+            v
+        }
     }
 }
 
@@ -83,13 +87,22 @@ pub fn box_collider(half: f64, tall: f64) -> Collider {
 impl Scene {
     /// The point P.
     pub fn point() -> Scene {
-        Scene { solids: Vec::new(), stand: Collider::point(), crouch: Collider::point(), tuning: plain() }
+        Scene {
+            solids: Vec::new(),
+            stand: Collider::point(),
+            crouch: Collider::point(),
+            tuning: plain(),
+        }
     }
 
     /// The box B.
     pub fn boxed() -> Scene {
         let b = box_collider(HALF, TALL);
-        Scene { stand: b.clone(), crouch: b, ..Scene::point() }
+        Scene {
+            stand: b.clone(),
+            crouch: b,
+            ..Scene::point()
+        }
     }
 
     pub fn tune(mut self, change: impl Fn(&mut Motion)) -> Scene {
@@ -98,7 +111,8 @@ impl Scene {
     }
 
     pub fn solid(mut self, outline: &[(f64, f64)]) -> Scene {
-        self.solids.push(outline.iter().map(|&(x, y)| v(x, y)).collect());
+        self.solids
+            .push(outline.iter().map(|&(x, y)| v(x, y)).collect());
         self
     }
 
@@ -116,13 +130,20 @@ impl Scene {
 
     pub fn mesh(&self, variant: Variant, collider: &Collider) -> Mesh {
         let snap = |solid: &Vec<DVec2>| {
-            let mut outline: Vec<_> = solid.iter().map(|&p| Point::snap(variant.there(p)).unwrap()).collect();
+            let mut outline: Vec<_> = solid
+                .iter()
+                .map(|&p| Point::snap(variant.there(p)).unwrap())
+                .collect();
             if variant == Variant::Mirrored {
                 outline.reverse();
             }
             outline
         };
-        let features: Vec<_> = self.solids.iter().map(|s| expand(&snap(s), collider)).collect();
+        let features: Vec<_> = self
+            .solids
+            .iter()
+            .map(|s| expand(&snap(s), collider))
+            .collect();
         Mesh::build(&features).unwrap()
     }
 
@@ -135,9 +156,22 @@ impl Scene {
 
     /// Runs a test on the scene in one variant.
     pub fn with(&self, variant: Variant, test: &impl Fn(&mut Run)) {
-        let (stand, crouch) = (self.mesh(variant, &self.stand), self.mesh(variant, &self.crouch));
-        let terrain = Terrain { stand: &stand, crouch: &crouch, tuning: &self.tuning };
-        test(&mut Run { variant, terrain, body: None, trace: Trace::default(), control: Control::default() });
+        let (stand, crouch) = (
+            self.mesh(variant, &self.stand),
+            self.mesh(variant, &self.crouch),
+        );
+        let terrain = Terrain {
+            stand: &stand,
+            crouch: &crouch,
+            tuning: &self.tuning,
+        };
+        test(&mut Run {
+            variant,
+            terrain,
+            body: None,
+            trace: Trace::default(),
+            control: Control::default(),
+        });
     }
 }
 
@@ -165,7 +199,10 @@ impl Run<'_> {
 
     pub fn velocity(&mut self, x: f64, y: f64) -> &mut Self {
         let velocity = self.variant.velocity(v(x, y));
-        self.body.as_mut().unwrap().set_velocity(velocity, &self.terrain, &mut self.trace);
+        self.body
+            .as_mut()
+            .unwrap()
+            .set_velocity(velocity, &self.terrain, &mut self.trace);
         self
     }
 
@@ -174,29 +211,54 @@ impl Run<'_> {
         self.advance(self.time());
         assert!(self.supported(), "must stand to walk");
         let normal = self.body().normal();
-        let tangent = v(normal.y, -normal.x) * if self.variant == Variant::Mirrored { -1.0 } else { 1.0 };
+        let tangent = v(normal.y, -normal.x)
+            * if self.variant == Variant::Mirrored {
+                -1.0
+            } else {
+                1.0
+            };
         let velocity = tangent * speed;
-        self.body.as_mut().unwrap().set_velocity(velocity, &self.terrain, &mut self.trace);
+        self.body
+            .as_mut()
+            .unwrap()
+            .set_velocity(velocity, &self.terrain, &mut self.trace);
         self.hold(speed.signum())
     }
 
     pub fn control(&mut self, control: Control) -> &mut Self {
         self.control = control;
-        let run = if self.variant == Variant::Mirrored { -control.run } else { control.run };
-        self.body.as_mut().unwrap().apply(Control { run, ..control }, &self.terrain, &mut self.trace);
+        let run = if self.variant == Variant::Mirrored {
+            -control.run
+        } else {
+            control.run
+        };
+        self.body.as_mut().unwrap().apply(
+            Control { run, ..control },
+            &self.terrain,
+            &mut self.trace,
+        );
         self
     }
 
     pub fn hold(&mut self, run: f64) -> &mut Self {
-        self.control(Control { run, ..self.control })
+        self.control(Control {
+            run,
+            ..self.control
+        })
     }
 
     pub fn jump(&mut self, jump: bool) -> &mut Self {
-        self.control(Control { jump, ..self.control })
+        self.control(Control {
+            jump,
+            ..self.control
+        })
     }
 
     pub fn down(&mut self, down: bool) -> &mut Self {
-        self.control(Control { down, ..self.control })
+        self.control(Control {
+            down,
+            ..self.control
+        })
     }
 
     /// Moves up to a time and checks the invariants there.
@@ -250,27 +312,54 @@ impl Run<'_> {
 
     /// The time of the first event of a kind.
     pub fn when(&self, kind: impl Fn(EventKind) -> bool) -> f64 {
-        self.trace.events.iter().find(|e| kind(e.kind)).unwrap_or_else(|| panic!("no such event in {:?}", self.trace.events)).time
+        self.trace
+            .events
+            .iter()
+            .find(|e| kind(e.kind))
+            .unwrap_or_else(|| panic!("no such event in {:?}", self.trace.events))
+            .time
     }
 
     /// Position to a tolerance; in the shifted variant no closer than the coordinates allow.
     pub fn near(&self, x: f64, y: f64, tolerance: f64) -> &Self {
-        let tolerance = if self.variant == Variant::Shifted { tolerance.max(1e-11) } else { tolerance };
+        let tolerance = if self.variant == Variant::Shifted {
+            tolerance.max(1e-11)
+        } else {
+            tolerance
+        };
         let off = (self.at() - v(x, y)).abs();
-        assert!(off.max_element() <= tolerance, "{:?}: {} is {off} from ({x}, {y})", self.variant, self.at());
+        assert!(
+            off.max_element() <= tolerance,
+            "{:?}: {} is {off} from ({x}, {y})",
+            self.variant,
+            self.at()
+        );
         self
     }
 
     /// Not one bit changes, position and velocity, over ticks at 60 Hz.
     pub fn frozen(&mut self, ticks: u32) -> &mut Self {
-        let before = (self.body().position().to_array().map(f64::to_bits), self.body().velocity());
+        let before = (
+            self.body().position().to_array().map(f64::to_bits),
+            self.body().velocity(),
+        );
         self.ticks(ticks, 60.0);
-        assert_eq!((self.body().position().to_array().map(f64::to_bits), self.body().velocity()), before);
+        assert_eq!(
+            (
+                self.body().position().to_array().map(f64::to_bits),
+                self.body().velocity()
+            ),
+            before
+        );
         self
     }
 }
 
 /// A number to a tolerance.
 pub fn close(a: f64, b: f64, tolerance: f64) {
-    assert!((a - b).abs() <= tolerance, "{a} is {:e} from {b}", (a - b).abs());
+    assert!(
+        (a - b).abs() <= tolerance,
+        "{a} is {:e} from {b}",
+        (a - b).abs()
+    );
 }

@@ -7,31 +7,45 @@ use edgewalker::motion::{Control, EventKind};
 
 #[test]
 fn scene_34_idle_for_an_hour_on_44_degrees() {
-    Scene::boxed().solid(&[(0.0, 0.0), (21.0, 0.0), (0.0, 20.0)]).tune(|t| t.run_brake = 50.0).each(|run| {
-        run.spawn(10.0, 12.0).advance(5.0);
-        assert!(run.supported());
-        run.frozen(216_000);
-    });
+    Scene::boxed()
+        .solid(&[(0.0, 0.0), (21.0, 0.0), (0.0, 20.0)])
+        .tune(|t| t.run_brake = 50.0)
+        .each(|run| {
+            run.spawn(10.0, 12.0).advance(5.0);
+            assert!(run.supported());
+            run.frozen(216_000);
+        });
 }
 
 #[test]
 fn scene_35_45_degrees_is_walkable_and_a_step_more_is_not() {
     for (rise, walkable) in [(1.0, true), (1.0 + STEP, false)] {
-        Scene::point().solid(&[(0.0, 0.0), (1.0, 0.0), (1.0, rise)]).each(|run| {
-            run.spawn(0.5, 2.0).advance(0.35);
-            assert_eq!(run.supported(), walkable);
-        });
+        Scene::point()
+            .solid(&[(0.0, 0.0), (1.0, 0.0), (1.0, rise)])
+            .each(|run| {
+                run.spawn(0.5, 2.0).advance(0.35);
+                assert_eq!(run.supported(), walkable);
+            });
     }
 }
 
 /// A zig-zag of 8:15:17 slopes with edges of 17/32 m.
 fn zigzag(n: i32) -> Vec<(f64, f64)> {
-    (0..n).map(|i| (15.0 / 32.0 * f64::from(i), if i % 2 == 0 { 0.0 } else { 0.25 })).collect()
+    (0..n)
+        .map(|i| {
+            (
+                15.0 / 32.0 * f64::from(i),
+                if i % 2 == 0 { 0.0 } else { 0.25 },
+            )
+        })
+        .collect()
 }
 
 #[test]
 fn scene_38_a_zigzag_is_walked_at_constant_speed() {
-    let scene = Scene::point().under(&zigzag(202), -1.0).tune(|t| t.joint = 0.0);
+    let scene = Scene::point()
+        .under(&zigzag(202), -1.0)
+        .tune(|t| t.joint = 0.0);
     scene.each(|run| {
         for direction in [1.0, -1.0] {
             let start = 100.0 * 15.0 / 32.0;
@@ -61,11 +75,21 @@ fn scene_40_a_concave_joint_keeps_or_projects() {
 fn scene_42_hops_over_a_convex_joint() {
     // 8:15:17: turn d with sin 8/17, cos 15/17; next slope the same.
     let (sin, cos) = (8.0 / 17.0, 15.0 / 17.0);
-    let scene = Scene::point().under(&[(-10.0, 0.0), (0.0, 0.0), (30.0, -16.0)], -20.0).tune(|t| (t.joint, t.run_speed) = (2.0, 8.0));
+    let scene = Scene::point()
+        .under(&[(-10.0, 0.0), (0.0, 0.0), (30.0, -16.0)], -20.0)
+        .tune(|t| (t.joint, t.run_speed) = (2.0, 8.0));
     for s in [8.0, 5.0, 2.0] {
         scene.clone().tune(|t| t.run_speed = s).each(|run| {
             run.spawn(-1.0, 0.0).walk(s).advance(3.0);
-            let (off, down) = (run.when(|k| k == EventKind::Left), run.trace.events.iter().rfind(|e| matches!(e.kind, EventKind::Landed(_))).unwrap().time);
+            let (off, down) = (
+                run.when(|k| k == EventKind::Left),
+                run.trace
+                    .events
+                    .iter()
+                    .rfind(|e| matches!(e.kind, EventKind::Landed(_)))
+                    .unwrap()
+                    .time,
+            );
             let flight = 2.0 * s * sin / (30.0 * cos);
             close(down - off, flight, 1e-11);
             close(off, 1.0 / s, 1e-12);
@@ -78,7 +102,16 @@ fn scene_43_off_the_end_of_a_floor() {
     Scene::boxed().rect((-20.0, 0.0), (-1.0, 0.0)).each(|run| {
         run.spawn(-2.0, 0.0).walk(5.0).advance(1.0);
         let left = run.when(|k| k == EventKind::Left);
-        close(left, (2.0 + HALF) / 5.0, 1e-15 * if run.variant == Variant::Shifted { 1e3 } else { 1.0 });
+        close(
+            left,
+            (2.0 + HALF) / 5.0,
+            1e-15
+                * if run.variant == Variant::Shifted {
+                    1e3
+                } else {
+                    1.0
+                },
+        );
         for rate in [30.0, 60.0, 1000.0] {
             run.spawn(-2.0, 0.0).walk(5.0).ticks(rate as u32, rate);
             run.advance(left + 1.0).near(HALF + 5.0, -15.0, 1e-12);
@@ -88,10 +121,16 @@ fn scene_43_off_the_end_of_a_floor() {
 
 #[test]
 fn scene_46_a_jump_while_running_up_or_down_clears_the_slope() {
-    let scene = Scene::boxed().solid(&[(-20.0, 0.0), (20.0, 0.0), (20.0, 40.0)]).tune(|t| t.run_speed = 10.0);
+    let scene = Scene::boxed()
+        .solid(&[(-20.0, 0.0), (20.0, 0.0), (20.0, 40.0)])
+        .tune(|t| t.run_speed = 10.0);
     scene.each(|run| {
         for direction in [1.0, -1.0] {
-            run.spawn(0.0, 20.5).advance(1.0).walk(10.0 * direction).advance(1.2).jump(true);
+            run.spawn(0.0, 20.5)
+                .advance(1.0)
+                .walk(10.0 * direction)
+                .advance(1.2)
+                .jump(true);
             let mut before = -1.0;
             for tick in 1..=20 {
                 run.advance(1.2 + f64::from(tick) / 120.0);
@@ -107,16 +146,21 @@ fn scene_46_a_jump_while_running_up_or_down_clears_the_slope() {
 
 #[test]
 fn scene_47_landing_on_45_degrees_keeps_the_speed_along_it() {
-    let scene = Scene::point().solid(&[(-20.0, 0.0), (20.0, 0.0), (-20.0, 40.0)]).tune(|t| t.gravity = 0.0);
+    let scene = Scene::point()
+        .solid(&[(-20.0, 0.0), (20.0, 0.0), (-20.0, 40.0)])
+        .tune(|t| t.gravity = 0.0);
     for (x, y) in [(10.0, -10.0), (0.0, -20.0)] {
         scene.each(|run| {
             // Comes from above onto the slope that falls to the right.
-            run.spawn(0.0, 20.0 + if x > 0.0 { STEP } else { 2.0 }).velocity(x, y);
+            run.spawn(0.0, 20.0 + if x > 0.0 { STEP } else { 2.0 })
+                .velocity(x, y);
             run.advance(0.2);
             if x > 0.0 {
                 // Parallel to the slope: it never lands. From a little steeper it does.
                 assert!(run.airborne());
-                run.spawn(0.0, 21.0).velocity(10.0, -10.0 - 1e-9).advance(0.0);
+                run.spawn(0.0, 21.0)
+                    .velocity(10.0, -10.0 - 1e-9)
+                    .advance(0.0);
                 run.velocity(10.0 - 1e-3, -10.0 - 1e-3).advance(3.0);
             }
             if run.supported() {
@@ -159,9 +203,18 @@ fn scene_49_the_mirror_image_moves_in_mirrored_bits() {
         course.with(variant, &|run: &mut Run| {
             run.spawn(1.0, 3.0);
             for step in 0..600u32 {
-                let held = Control { run: [1.0, 1.0, -1.0, 0.5][(step / 37 % 4) as usize], jump: step / 23 % 3 == 0, down: step / 51 % 5 == 4 };
+                let held = Control {
+                    run: [1.0, 1.0, -1.0, 0.5][(step / 37 % 4) as usize],
+                    jump: step / 23 % 3 == 0,
+                    down: step / 51 % 5 == 4,
+                };
                 run.control(held).ticks(1, 60.0);
-                out.borrow_mut().push((run.at().x + 0.0, run.at().y, run.speed().x + 0.0, run.speed().y + 0.0));
+                out.borrow_mut().push((
+                    run.at().x + 0.0,
+                    run.at().y,
+                    run.speed().x + 0.0,
+                    run.speed().y + 0.0,
+                ));
             }
         });
         out.into_inner()
@@ -172,7 +225,17 @@ fn scene_49_the_mirror_image_moves_in_mirrored_bits() {
 
 #[test]
 fn scene_50_crests_and_feet_of_slopes() {
-    let scene = Scene::boxed().under(&[(-20.0, 0.0), (0.0, 0.0), (15.0, 8.0), (30.0, 8.0), (45.0, 0.0), (60.0, 0.0)], -2.0);
+    let scene = Scene::boxed().under(
+        &[
+            (-20.0, 0.0),
+            (0.0, 0.0),
+            (15.0, 8.0),
+            (30.0, 8.0),
+            (45.0, 0.0),
+            (60.0, 0.0),
+        ],
+        -2.0,
+    );
     scene.tune(|t| t.joint_stick = 10.0).each(|run| {
         run.spawn(-2.0, 0.0).walk(5.0);
         for tick in 1..=720 {
@@ -185,10 +248,15 @@ fn scene_50_crests_and_feet_of_slopes() {
 
 #[test]
 fn scene_51_between_walkable_and_too_steep() {
-    let scene = Scene::point().under(&[(-20.0, 0.0), (0.0, 0.0), (1.0, 2.0), (2.0, 2.0)], -2.0).tune(|t| (t.run_accel, t.run_speed) = (50.0, 5.0));
+    let scene = Scene::point()
+        .under(&[(-20.0, 0.0), (0.0, 0.0), (1.0, 2.0), (2.0, 2.0)], -2.0)
+        .tune(|t| (t.run_accel, t.run_speed) = (50.0, 5.0));
     scene.each(|run| {
         run.spawn(0.0, 0.0).advance(0.1);
-        assert!(run.supported(), "at the vertex it stands on what is walkable");
+        assert!(
+            run.supported(),
+            "at the vertex it stands on what is walkable"
+        );
         run.frozen(60);
         run.hold(1.0).ticks(600, 60.0);
         assert!(run.at().y < 0.01, "does not climb: {}", run.at());

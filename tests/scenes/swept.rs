@@ -7,25 +7,43 @@ use edgewalker::motion::EventKind;
 #[test]
 fn scene_25_out_and_in_by_the_same_edge_in_one_step() {
     // A tall thin spike beside the path gives the free space edges that the parabola crosses twice.
-    let scene = Scene::point().rect((-20.0, 20.0), (-1.0, 0.0)).rect((-20.0, -19.0), (0.0, 3.0)).rect((19.0, 20.0), (0.0, 3.0));
+    let scene = Scene::point()
+        .rect((-20.0, 20.0), (-1.0, 0.0))
+        .rect((-20.0, -19.0), (0.0, 3.0))
+        .rect((19.0, 20.0), (0.0, 3.0));
     scene.each(|run| {
         for height in [2.0, 4.0, 9.0] {
-            run.spawn(-3.0, 1.0).velocity(2.0, f64::sqrt(60.0 * height)).advance(0.4);
+            run.spawn(-3.0, 1.0)
+                .velocity(2.0, f64::sqrt(60.0 * height))
+                .advance(0.4);
             let t = run.time();
-            run.near(-3.0 + 2.0 * t, 1.0 + f64::sqrt(60.0 * height) * t - 15.0 * t * t, 1e-12);
+            run.near(
+                -3.0 + 2.0 * t,
+                1.0 + f64::sqrt(60.0 * height) * t - 15.0 * t * t,
+                1e-12,
+            );
         }
     });
 }
 
 #[test]
 fn scene_26_a_ceiling_at_the_apex_and_one_step_below() {
-    let scene = |ceiling: f64| Scene::point().rect((-5.0, 5.0), (-1.0, 0.0)).rect((-5.0, 5.0), (ceiling, 9.0)).tune(|t| t.gravity = 32.0);
+    let scene = |ceiling: f64| {
+        Scene::point()
+            .rect((-5.0, 5.0), (-1.0, 0.0))
+            .rect((-5.0, 5.0), (ceiling, 9.0))
+            .tune(|t| t.gravity = 32.0)
+    };
     let landing = |k| matches!(k, EventKind::Landed(_));
     scene(2.25).with(Variant::Plain, &|run: &mut Run| {
         run.spawn(0.0, 0.0).jump(true);
         run.trace.clear();
         run.advance(1.0);
-        assert_eq!((run.kinds().len(), run.when(landing)), (1, 0.75), "no loss at a touch");
+        assert_eq!(
+            (run.kinds().len(), run.when(landing)),
+            (1, 0.75),
+            "no loss at a touch"
+        );
     });
     scene(2.25 - STEP).with(Variant::Plain, &|run: &mut Run| {
         run.spawn(0.0, 0.0).jump(true);
@@ -36,23 +54,36 @@ fn scene_26_a_ceiling_at_the_apex_and_one_step_below() {
         close(run.when(landing), 0.749022165932, 1e-12);
     });
     let speed = 12.0 * (1.0 + f64::powi(2.0, -34));
-    scene(2.25).tune(|t| t.jump_speed = speed).with(Variant::Plain, &|run: &mut Run| {
-        run.spawn(0.0, 0.0).jump(true).advance(1.0);
-        let exact = (speed - 12.0 * f64::sqrt(f64::powi(2.0, -33) + f64::powi(2.0, -68))) / 32.0;
-        close(run.when(|k| matches!(k, EventKind::Hit(_))), exact, 3e-6);
-    });
+    scene(2.25)
+        .tune(|t| t.jump_speed = speed)
+        .with(Variant::Plain, &|run: &mut Run| {
+            run.spawn(0.0, 0.0).jump(true).advance(1.0);
+            let exact =
+                (speed - 12.0 * f64::sqrt(f64::powi(2.0, -33) + f64::powi(2.0, -68))) / 32.0;
+            close(run.when(|k| matches!(k, EventKind::Hit(_))), exact, 3e-6);
+        });
 }
 
 #[test]
 fn scene_27_a_hundred_thousand_kilometres_a_second() {
     let scene = (0..1000).fold(Scene::point(), |s, i| {
         let x = 4.0 * f64::from(i % 500) - 1000.0;
-        s.rect((x, x + 1.0), if i < 500 { (-1.0, 0.5) } else { (-5.0, -4.0) })
+        s.rect(
+            (x, x + 1.0),
+            if i < 500 { (-1.0, 0.5) } else { (-5.0, -4.0) },
+        )
     });
     scene.tune(|t| t.gravity = 0.0).each(|run| {
-        run.spawn(-1001.0, 0.25).velocity(1e8, 0.0).advance(1.0).near(-1000.0, 0.25, 0.0);
+        run.spawn(-1001.0, 0.25)
+            .velocity(1e8, 0.0)
+            .advance(1.0)
+            .near(-1000.0, 0.25, 0.0);
         run.spawn(-1001.0, 0.75).velocity(1e8, 0.0).advance(1e-5);
-        assert!(run.trace.crossed < 4000, "linear in the faces crossed: {}", run.trace.crossed);
+        assert!(
+            run.trace.crossed < 4000,
+            "linear in the faces crossed: {}",
+            run.trace.crossed
+        );
     });
 }
 
@@ -67,7 +98,8 @@ fn scene_28_steps_of_no_and_of_great_length() {
         for tiny in [1e-300, 1e-12] {
             let now = run.time();
             let (p, u) = (run.at(), run.speed());
-            run.advance(now + tiny).near(p.x + u.x * tiny, p.y + u.y * tiny, 1e-14);
+            run.advance(now + tiny)
+                .near(p.x + u.x * tiny, p.y + u.y * tiny, 1e-14);
         }
         run.advance(10.1);
         assert!(run.supported());
@@ -81,11 +113,15 @@ fn scene_29_ten_thousand_stairs_in_one_step() {
         let (x, y) = (f64::from(i) * 0.25, -f64::from(i) * 0.125);
         top.extend([(x, y), (x + 0.25, y)]);
     }
-    let scene = Scene::boxed().under(&top, -1300.0).tune(|t| t.run_speed = 200.0);
+    let scene = Scene::boxed()
+        .under(&top, -1300.0)
+        .tune(|t| t.run_speed = 200.0);
     let ends = [1, 1_000].map(|steps| {
         let end = std::cell::Cell::new((v(0.0, 0.0), 0));
         scene.with(Variant::Plain, &|run: &mut Run| {
-            run.spawn(0.1, 0.0).walk(200.0).ticks(steps, f64::from(steps) / 10.0);
+            run.spawn(0.1, 0.0)
+                .walk(200.0)
+                .ticks(steps, f64::from(steps) / 10.0);
             end.set((run.at(), run.trace.events.len()));
         });
         end.get()
@@ -96,9 +132,29 @@ fn scene_29_ten_thousand_stairs_in_one_step() {
 
 /// Slopes, joints, a step, a wall: something of everything.
 pub fn course() -> Scene {
-    let top = [(0.0, 0.0), (8.0, 0.0), (12.0, 2.0), (15.0, 2.0), (20.0, -1.0), (26.0, -1.0), (26.0, 0.5), (34.0, 0.5)];
-    let scene = Scene::boxed().under(&top, -5.0).rect((33.0, 36.0), (-5.0, 9.0)).solid(&[(5.0, 3.5), (11.0, 5.0), (5.0, 5.0)]);
-    scene.tune(|t| (t.run_accel, t.run_brake, t.air_accel, t.run_speed, t.jump_speed) = (40.0, 60.0, 20.0, 7.0, 12.0))
+    let top = [
+        (0.0, 0.0),
+        (8.0, 0.0),
+        (12.0, 2.0),
+        (15.0, 2.0),
+        (20.0, -1.0),
+        (26.0, -1.0),
+        (26.0, 0.5),
+        (34.0, 0.5),
+    ];
+    let scene = Scene::boxed()
+        .under(&top, -5.0)
+        .rect((33.0, 36.0), (-5.0, 9.0))
+        .solid(&[(5.0, 3.5), (11.0, 5.0), (5.0, 5.0)]);
+    scene.tune(|t| {
+        (
+            t.run_accel,
+            t.run_brake,
+            t.air_accel,
+            t.run_speed,
+            t.jump_speed,
+        ) = (40.0, 60.0, 20.0, 7.0, 12.0)
+    })
 }
 
 #[test]
@@ -112,7 +168,8 @@ fn scene_30_the_tick_rate_changes_no_bit() {
                     run.ticks((rate / 10.0) as u32, rate);
                     out.borrow_mut().push(run.body().hash());
                 }
-                out.borrow_mut().extend(run.trace.events.iter().map(|e| e.time.to_bits()));
+                out.borrow_mut()
+                    .extend(run.trace.events.iter().map(|e| e.time.to_bits()));
             });
             out.into_inner()
         };
@@ -125,9 +182,14 @@ fn scene_30_the_tick_rate_changes_no_bit() {
 
 #[test]
 fn scene_31_a_thin_wall_stops_a_fast_walker() {
-    let scene = Scene::boxed().rect((-20.0, 20.0), (-1.0, 0.0)).rect((10.0, 10.0 + STEP), (0.0, 3.0));
+    let scene = Scene::boxed()
+        .rect((-20.0, 20.0), (-1.0, 0.0))
+        .rect((10.0, 10.0 + STEP), (0.0, 3.0));
     scene.tune(|t| t.run_speed = 1e4).each(|run| {
-        run.spawn(0.0, 0.0).walk(10_000.0).advance(1.0).near(10.0 - HALF, 0.0, 0.0);
+        run.spawn(0.0, 0.0)
+            .walk(10_000.0)
+            .advance(1.0)
+            .near(10.0 - HALF, 0.0, 0.0);
         assert!(run.supported());
         assert_eq!(run.speed(), v(0.0, 0.0));
     });
@@ -135,10 +197,16 @@ fn scene_31_a_thin_wall_stops_a_fast_walker() {
 
 #[test]
 fn scene_32_a_slanted_landing_keeps_what_runs_along() {
-    Scene::point().rect((-50.0, 50.0), (-1.0, 0.0)).tune(|t| t.gravity = 0.0).with(Variant::Plain, &|run: &mut Run| {
-        run.spawn(0.0, 1.0).velocity(10.0, -10.0).advance(1.0).near(10.0, 0.0, 1e-14);
-        close(run.when(|k| matches!(k, EventKind::Landed(_))), 0.1, 1e-16);
-    });
+    Scene::point()
+        .rect((-50.0, 50.0), (-1.0, 0.0))
+        .tune(|t| t.gravity = 0.0)
+        .with(Variant::Plain, &|run: &mut Run| {
+            run.spawn(0.0, 1.0)
+                .velocity(10.0, -10.0)
+                .advance(1.0)
+                .near(10.0, 0.0, 1e-14);
+            close(run.when(|k| matches!(k, EventKind::Landed(_))), 0.1, 1e-16);
+        });
 }
 
 #[test]
@@ -147,7 +215,9 @@ fn scene_33_landing_and_slide_within_one_step() {
     let end = |rate: f64| {
         let out = std::cell::Cell::new(0);
         scene.with(Variant::Plain, &|run: &mut Run| {
-            run.spawn(3.0, 8.0).velocity(3.0, -20.0).ticks((rate * 2.0) as u32, rate);
+            run.spawn(3.0, 8.0)
+                .velocity(3.0, -20.0)
+                .ticks((rate * 2.0) as u32, rate);
             out.set(run.body().hash());
         });
         out.get()

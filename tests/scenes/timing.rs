@@ -48,7 +48,11 @@ fn scene_70_a_jump_let_go_is_cut() {
     let cut = floor().tune(|t| t.jump_cut_speed = 4.0);
     let (top, _) = jump(&cut, 1000.0, Some(0.1));
     // The apex lies between ticks: at most g (dt/2)^2 / 2 above the highest of them.
-    close(top, 1.3166666666666667 - 1.0 / 3.0 + 4.0 * 4.0 / 60.0 + (1.05 - 0.983333333333333), 0.2);
+    close(
+        top,
+        1.3166666666666667 - 1.0 / 3.0 + 4.0 * 4.0 / 60.0 + (1.05 - 0.983333333333333),
+        0.2,
+    );
     let exact = 12.0 * 0.1 - 15.0 * 0.01 + 4.0 * 4.0 / 60.0;
     close(exact, 1.3166666666666667, 1e-12);
     close(top, exact, 15.0 * 0.0005f64.powi(2) + 1e-12);
@@ -64,12 +68,14 @@ fn scene_70_half_gravity_about_the_apex() {
 
 #[test]
 fn scene_70_terminal_speed_from_100_m() {
-    floor().tune(|t| (t.fall_speed, t.over_speed_decay) = (20.0, 50.0)).each(|run| {
-        run.spawn(0.0, 100.0);
-        run.advance(8.0);
-        close(run.when(landing), 5.333333333333333, 1e-11);
-        assert!(run.kinds().len() <= 5, "{:?}", run.kinds());
-    });
+    floor()
+        .tune(|t| (t.fall_speed, t.over_speed_decay) = (20.0, 50.0))
+        .each(|run| {
+            run.spawn(0.0, 100.0);
+            run.advance(8.0);
+            close(run.when(landing), 5.333333333333333, 1e-11);
+            assert!(run.kinds().len() <= 5, "{:?}", run.kinds());
+        });
 }
 
 #[test]
@@ -88,7 +94,11 @@ fn scene_70_coyote_time_counts_from_the_edge() {
     let left = (2.0 + HALF) / 5.0;
     for (late, granted) in [(-1e-9, true), (1e-9, false)] {
         scene.each(|run| {
-            run.spawn(-2.0, 0.0).walk(5.0).advance(0.5).advance(left + 0.1 + late).jump(true);
+            run.spawn(-2.0, 0.0)
+                .walk(5.0)
+                .advance(0.5)
+                .advance(left + 0.1 + late)
+                .jump(true);
             assert_eq!(run.speed().y > 0.0, granted);
         });
     }
@@ -100,7 +110,10 @@ fn scene_70_the_jump_buffer_counts_to_the_landing() {
     let lands = f64::sqrt(2.0 * 15.0 / 30.0);
     for (early, granted) in [(-1e-9, true), (1e-9, false)] {
         floor().each(|run| {
-            run.spawn(0.0, 15.0).advance(lands - 0.1 - early).jump(true).advance(lands + 0.01);
+            run.spawn(0.0, 15.0)
+                .advance(lands - 0.1 - early)
+                .jump(true)
+                .advance(lands + 0.01);
             assert_eq!(run.kinds().contains(&EventKind::Jumped), granted);
             if granted {
                 close(run.when(|k| k == EventKind::Jumped), lands, 1e-12);
@@ -111,8 +124,13 @@ fn scene_70_the_jump_buffer_counts_to_the_landing() {
 
 #[test]
 fn scene_64_crouched_under_a_low_ceiling() {
-    let tall = Scene { crouch: box_collider(HALF, 1.0), ..Scene::boxed() };
-    let scene = tall.rect((-20.0, 20.0), (-1.0, 0.0)).rect((0.0, 5.0), (LOW, 3.0));
+    let tall = Scene {
+        crouch: box_collider(HALF, 1.0),
+        ..Scene::boxed()
+    };
+    let scene = tall
+        .rect((-20.0, 20.0), (-1.0, 0.0))
+        .rect((0.0, 5.0), (LOW, 3.0));
     scene.clone().tune(|t| t.crouch_speed = 3.0).each(|run| {
         run.spawn(-2.0, 0.0).walk(3.0).down(true);
         assert!(run.crouched());
@@ -122,16 +140,38 @@ fn scene_64_crouched_under_a_low_ceiling() {
         assert!(run.crouched(), "no room");
         run.advance(6.0);
         assert!(!run.crouched() && run.supported());
-        let stood = run.trace.events.iter().rfind(|e| matches!(e.kind, EventKind::Resized(_))).unwrap().time;
+        let stood = run
+            .trace
+            .events
+            .iter()
+            .rfind(|e| matches!(e.kind, EventKind::Resized(_)))
+            .unwrap()
+            .time;
         close(stood, (2.0 + 5.0 + HALF) / 3.0, 1e-12);
     });
     // In the air under a ceiling: stands up as soon as it has fallen clear.
-    let drop = Scene { crouch: box_collider(HALF, 1.0), ..Scene::boxed() }.rect((-20.0, 0.0), (-1.0, 0.0)).rect((0.0, 20.0), (LOW, 3.0));
+    let drop = Scene {
+        crouch: box_collider(HALF, 1.0),
+        ..Scene::boxed()
+    }
+    .rect((-20.0, 0.0), (-1.0, 0.0))
+    .rect((0.0, 20.0), (LOW, 3.0));
     drop.tune(|t| t.crouch_speed = 3.0).each(|run| {
-        run.spawn(-2.0, 0.0).walk(3.0).down(true).advance(0.9).down(false).advance(2.0);
+        run.spawn(-2.0, 0.0)
+            .walk(3.0)
+            .down(true)
+            .advance(0.9)
+            .down(false)
+            .advance(2.0);
         assert!(!run.crouched());
         let left = run.when(|k| k == EventKind::Left);
-        let stood = run.trace.events.iter().rfind(|e| matches!(e.kind, EventKind::Resized(_))).unwrap().time;
+        let stood = run
+            .trace
+            .events
+            .iter()
+            .rfind(|e| matches!(e.kind, EventKind::Resized(_)))
+            .unwrap()
+            .time;
         close(stood - left, f64::sqrt((TALL - LOW) / 15.0), 1e-11);
     });
 }
@@ -141,7 +181,9 @@ fn scene_68_a_snapshot_goes_on_as_the_original() {
     super::swept::course().with(Variant::Plain, &|run: &mut Run| {
         run.spawn(1.0, 3.0).hold(1.0);
         for step in 0..600 {
-            run.jump(step % 50 > 30).hold([1.0, -1.0, 1.0][step / 90 % 3]).ticks(1, 60.0);
+            run.jump(step % 50 > 30)
+                .hold([1.0, -1.0, 1.0][step / 90 % 3])
+                .ticks(1, 60.0);
             let text = ron::to_string(run.body()).unwrap();
             let copy: Body = ron::from_str(&text).unwrap();
             assert_eq!((copy.hash(), &copy), (run.body().hash(), run.body()));
@@ -152,11 +194,19 @@ fn scene_68_a_snapshot_goes_on_as_the_original() {
 #[test]
 fn scene_69_bad_numbers_are_errors() {
     floor().with(Variant::Plain, &|run: &mut Run| {
-        for (x, y, error) in [(f64::NAN, 0.0, SpawnError::Outside), (f64::INFINITY, 0.0, SpawnError::Outside), (1e300, 0.0, SpawnError::Outside), (0.0, -0.5, SpawnError::Solid)] {
+        for (x, y, error) in [
+            (f64::NAN, 0.0, SpawnError::Outside),
+            (f64::INFINITY, 0.0, SpawnError::Outside),
+            (1e300, 0.0, SpawnError::Outside),
+            (0.0, -0.5, SpawnError::Solid),
+        ] {
             assert_eq!(Body::spawn(v(x, y), 0.0, &run.terrain), Err(error));
         }
         Body::spawn(v(5e-324, 5e-324), 0.0, &run.terrain).unwrap();
-        run.spawn(0.0, 0.0).hold(f64::NAN).advance(1.0).near(0.0, 0.0, 0.0);
+        run.spawn(0.0, 0.0)
+            .hold(f64::NAN)
+            .advance(1.0)
+            .near(0.0, 0.0, 0.0);
     });
     assert_eq!(Point::snap(v(f64::NAN, 0.0)), None);
     assert!(Collider::new(vec![Point::new(0, 0), Point::new(1, 0)]).is_err());

@@ -1,0 +1,145 @@
+//! Golden runs: a recorded run and what it came to, to the bit. When the motion, the tuning or the level changes on
+//! purpose, record anew with `GOLDEN=record cargo test --no-default-features --test golden`, look at the difference of
+//! the positions, and explain it in the commit.
+
+#[path = "common/player.rs"]
+mod player;
+
+use edgewalker::game::{Input, Replay, Stage, World};
+use edgewalker::tune::Tuning;
+use player::{Player, WAY, quarry};
+use serde::{Deserialize, Serialize};
+use std::path::PathBuf;
+use std::sync::Arc;
+
+/// What a run came to.
+#[derive(Debug, PartialEq, Serialize, Deserialize)]
+struct Outcome {
+    /// Hash of the final state, in hexadecimal.
+    hash: String,
+    /// When the goal was reached, s.
+    won_at: Option<f64>,
+    /// Tick and position at twenty times from the first tick to the last.
+    positions: Vec<(u64, f64, f64)>,
+}
+
+fn file(name: &str) -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR"))
+        .join("tests/golden")
+        .join(name)
+}
+
+fn play(replay: &Replay, stage: Arc<Stage>) -> Outcome {
+    let mut world = replay.world(stage).unwrap();
+    let ticks = replay.ticks();
+    let marks: Vec<u64> = (1..=20).map(|i| i * ticks / 20).collect();
+    let mut positions = Vec::new();
+    for input in replay.iter() {
+        world.step(input, &replay.tuning);
+        if marks.contains(&world.tick()) {
+            let p = world.view().position;
+            positions.push((world.tick(), p.x, p.y));
+        }
+    }
+    Outcome {
+        hash: format!("{:016x}", world.hash()),
+        won_at: world.view().won_at,
+        positions,
+    }
+}
+
+/// The player's run from start to goal, and a second more.
+fn record(stage: &Arc<Stage>) -> Replay {
+    let mut player = Player::new(Arc::clone(stage), Tuning::default(), 120);
+    for &act in WAY {
+        player.act(act).unwrap();
+    }
+    let mut replay = Replay::new("levels/quarry.ron", stage, 120, 0, &player.tuning);
+    player.inputs.extend([Input::default(); 120]);
+    player.inputs.iter().for_each(|&input| replay.push(input));
+    replay
+}
+
+#[test]
+fn the_quarry_from_start_to_goal() {
+    let stage = Arc::new(Stage::build(quarry()).unwrap());
+    let (run, outcome) = (file("quarry.replay.ron"), file("quarry.outcome.ron"));
+    if std::env::var_os("GOLDEN").is_some_and(|v| v == "record") {
+        let replay = record(&stage);
+        std::fs::write(&run, replay.to_text()).unwrap();
+        let pretty = ron::ser::PrettyConfig::new().depth_limit(2);
+        let text = ron::ser::to_string_pretty(&play(&replay, Arc::clone(&stage)), pretty).unwrap();
+        std::fs::write(&outcome, text + "\n").unwrap();
+    }
+    let replay = Replay::parse(&std::fs::read_to_string(&run).unwrap()).unwrap();
+    let expected: Outcome = ron::from_str(&std::fs::read_to_string(&outcome).unwrap()).unwrap();
+    assert!(expected.won_at.is_some() && expected.positions.len() == 20);
+    assert_eq!(play(&replay, stage), expected);
+}
+
+#[test]
+fn a_replay_survives_its_text_and_refuses_what_it_does_not_understand() {
+    let stage = Arc::new(Stage::build(quarry()).unwrap());
+    let text = std::fs::read_to_string(file("quarry.replay.ron")).unwrap();
+    let replay = Replay::parse(&text).unwrap();
+    assert_eq!(Replay::parse(&replay.to_text()).unwrap(), replay);
+    let refused = |from: &str, to: &str| {
+        assert!(text.contains(from), "{from}");
+        Replay::parse(&text.replacen(from, to, 1))
+            .unwrap_err()
+            .to_string()
+    };
+    assert_eq!(
+        refused("version: 1", "version: 2"),
+        "field `version`: 2 is not understood, only 1 is"
+    );
+    assert_eq!(
+        refused("tick_rate: 120", "tick_rate: 0"),
+        "field `tick_rate`: 0 is outside 1..=10000"
+    );
+    assert_eq!(
+        refused("gravity: 45.0", "gravity: 1e300"),
+        "tuning, field `gravity`: 1e300 is outside 0..=400 m/s^2"
+    );
+    assert!(refused("seed:", "sead:").contains("sead"));
+    for cut in [0, 1, 20, text.len() / 2, text.len() - 3] {
+        assert!(Replay::parse(&text[..cut]).is_err(), "cut at {cut}");
+    }
+    let other = Replay {
+        fingerprint: "0".into(),
+        ..replay
+    };
+    assert!(
+        other
+            .run(stage)
+            .unwrap_err()
+            .to_string()
+            .contains("fingerprint")
+    );
+}
+
+#[test]
+fn a_snapshot_of_the_world_goes_on_as_the_original() {
+    let stage = Arc::new(Stage::build(quarry()).unwrap());
+    let replay =
+        Replay::parse(&std::fs::read_to_string(file("quarry.replay.ron")).unwrap()).unwrap();
+    let inputs: Vec<_> = replay.iter().collect();
+    let mut world = replay.world(stage).unwrap();
+    let end = |mut world: World, inputs: &[Input]| {
+        inputs
+            .iter()
+            .for_each(|&input| world.step(input, &replay.tuning));
+        world.hash()
+    };
+    let expected = end(world.clone(), &inputs);
+    for (tick, &input) in inputs.iter().enumerate() {
+        if tick % 500 == 250 {
+            assert_eq!(
+                end(world.clone(), &inputs[tick..]),
+                expected,
+                "from tick {tick}"
+            );
+        }
+        world.step(input, &replay.tuning);
+    }
+}
