@@ -116,14 +116,18 @@ fn anchor(before: DVec2, view: &View, dead_zone: f64) -> DVec2 {
     }
 }
 
-/// How far ahead the camera would like to be: sideways always, up and down only while the height is followed.
+/// How far ahead of the anchor the aim should be drawn: the tuned lead, and what the filter will lag behind an even
+/// motion. Sideways always; up and down only while the height is followed, and not for the rise of a jump.
 fn wished_lead(view: &View, follows_height: bool, tuning: &Camera) -> DVec2 {
-    let DVec2 { x, y } = view.velocity * tuning.lead;
-    let lead = DVec2::new(x, if follows_height { y } else { 0.0 });
-    lead.clamp(
-        DVec2::splat(-tuning.lead_limit),
-        DVec2::splat(tuning.lead_limit),
-    )
+    let rises = view.stance == Stance::Air && view.velocity.y > 0.0;
+    let velocity = if follows_height && !rises {
+        view.velocity
+    } else {
+        DVec2::new(view.velocity.x, 0.0)
+    };
+    let limit = DVec2::splat(tuning.lead_limit);
+    let lag = velocity / DVec2::new(tuning.stiffness_x, tuning.stiffness_y);
+    (velocity * tuning.lead).clamp(-limit, limit) + lag
 }
 
 #[cfg(test)]
@@ -181,8 +185,7 @@ mod tests {
     fn it_leads_to_the_side_of_the_motion() {
         let (at, camera) = run(3.0, 1.0 / 120.0);
         let tuning = Camera::default();
-        let steady = 8.0 * tuning.lead - 8.0 / tuning.stiffness_x; // the lead less the lag of the filter
-        assert!(steady > 0.0);
+        let steady = 8.0 * tuning.lead;
         assert!(
             (camera.focus.x - at.position.x - steady).abs() < 1e-2,
             "{camera:?}"

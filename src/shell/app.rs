@@ -16,6 +16,7 @@ use super::{ShellError, capture, levels};
 use crate::cli::{Options, files};
 use crate::game::camera::Pose;
 use crate::tune::Tuning;
+use glam::{DVec2, DVec3};
 use sdl2::event::{Event, EventSender, WindowEvent};
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -289,8 +290,10 @@ impl App {
     /// The picture: the world, drawings over it, panels over those.
     fn draw(&mut self) -> Result<Vec<Edit>, ShellError> {
         let share = self.clock.share();
-        let (view, pose) = (self.play.view(share), self.play.pose(share, &self.tuning));
         let pixels = self.platform.pixels();
+        let view = self.play.view(share);
+        let covered = self.overlay.covered(&self.platform);
+        let pose = beside(self.play.pose(share, &self.tuning), covered, pixels);
         let drawing = if self.overlay.open || self.overlay.show.mesh {
             let (show, mesh) = (self.overlay.show, &self.mesh_picture);
             Drawing::new(show, &self.play, mesh, &view, &pose).scaled_to(pixels.1)
@@ -369,6 +372,23 @@ impl App {
         if let Err(reason) = self.platform.toggle_fullscreen() {
             self.notices.fail(Topic::Device, reason);
         }
+    }
+}
+
+/// The pose that shows beside a panel what it would show in the middle of the picture; `covered` is the panel's
+/// share of the width.
+fn beside(pose: Pose, covered: f64, (width, height): (u32, u32)) -> Pose {
+    let half = DVec2::from_angle((pose.fov_degrees / 2.0).to_radians());
+    let reach = (pose.eye.z - pose.target.z) * half.y / half.x;
+    let aside = DVec3::new(
+        reach * f64::from(width) / f64::from(height) * covered,
+        0.0,
+        0.0,
+    );
+    Pose {
+        eye: pose.eye - aside,
+        target: pose.target - aside,
+        ..pose
     }
 }
 

@@ -43,6 +43,20 @@ impl Pen<'_> {
         self.list.add_text(place, [r, g, b, alpha], text);
     }
 
+    /// The same on a dark plate, for small text over a busy picture.
+    fn plated(&self, font: FontId, text: &str, height: f32, colour: [f32; 3], alpha: f32) {
+        let [width, line] = self.ui.calc_text_size(text);
+        let middle = [(self.left + self.size[0]) / 2.0, self.size[1] * height];
+        let half = [width / 2.0 + line, line * 0.9];
+        let corner = |sign: f32| [middle[0] + sign * half[0], middle[1] + sign * half[1]];
+        self.list
+            .add_rect(corner(-1.0), corner(1.0), [0.02, 0.03, 0.06, 0.42 * alpha])
+            .filled(true)
+            .rounding(line * 0.5)
+            .build();
+        self.centred(font, text, height, colour, alpha);
+    }
+
     /// Darkens the whole picture.
     fn veil(&self, alpha: f32) {
         self.list
@@ -68,7 +82,7 @@ pub fn draw(ui: &Ui, fonts: Fonts, info: &Info, left: f32) {
         _ => beginning(&pen, fonts, info),
     }
     if let Some((text, alpha)) = info.notices.notice() {
-        pen.centred(fonts.body, text, 0.07, WARM, alpha);
+        pen.plated(fonts.body, text, 0.07, WARM, alpha);
     }
 }
 
@@ -83,7 +97,7 @@ fn beginning(pen: &Pen, fonts: Fonts, info: &Info) {
         shown(now, TITLE),
     );
     if pen.left == 0.0 {
-        pen.centred(fonts.body, hint(info), 0.93, WHITE, 0.85 * shown(now, HINT));
+        pen.plated(fonts.body, hint(info), 0.93, WHITE, 0.85 * shown(now, HINT));
     }
 }
 
@@ -92,7 +106,7 @@ fn goal(pen: &Pen, fonts: Fonts, info: &Info, won: f64) {
     let time = clock(won - info.play.began_at);
     let again = if info.pads > 0 { "Back" } else { "R" };
     pen.centred(fonts.title, "You reached the goal", 0.24, WARM, alpha);
-    pen.centred(
+    pen.plated(
         fonts.body,
         &format!("{time}      {again}  once more"),
         0.315,
@@ -109,7 +123,7 @@ fn pause(pen: &Pen, fonts: Fonts, info: &Info, reason: &str) {
     };
     pen.veil(0.45);
     pen.centred(fonts.title, reason, 0.24, WHITE, 1.0);
-    pen.centred(fonts.body, keys, 0.315, WHITE, 0.9);
+    pen.plated(fonts.body, keys, 0.315, WHITE, 0.9);
 }
 
 /// A small panel for what is broken, over everything, whether or not the overlay is open.

@@ -176,6 +176,17 @@ impl Overlay {
         self.open && (io.want_capture_keyboard || io.want_text_input)
     }
 
+    /// Share of the picture's width that the panel covers.
+    pub fn covered(&self, window: &Platform) -> f64 {
+        let width = window.pixels().0 as f32;
+        let share = if self.open {
+            panel::width(self.text_pixels, width) / width
+        } else {
+            0.0
+        };
+        f64::from(share)
+    }
+
     /// Draws over the picture; returns what was asked for.
     ///
     /// # Errors
@@ -186,7 +197,7 @@ impl Overlay {
             .prepare_frame(&mut self.context, &window.window, &window.events);
         let mut edits = Vec::new();
         let ui = self.context.new_frame();
-        let covered = if self.open { panel::width(ui) } else { 0.0 };
+        let covered = if self.open { panel::docked(ui)[0] } else { 0.0 };
         hud::draw(ui, self.fonts, info, covered);
         if self.open {
             panel::draw(ui, &mut self.panel, info, &mut self.show, &mut edits);

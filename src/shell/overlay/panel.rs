@@ -18,18 +18,23 @@ pub struct Panel {
     filter: String,
 }
 
-/// How much of the picture's width the panel covers.
-pub fn width(ui: &Ui) -> f32 {
-    size(ui, WIDTH).min(ui.io().display_size[0] * SHARE)
+/// How much of a picture's width the panel covers, given the height of the text.
+pub fn width(text: f32, picture: f32) -> f32 {
+    (text * WIDTH).min(picture * SHARE)
+}
+
+/// Size of the panel.
+pub fn docked(ui: &Ui) -> [f32; 2] {
+    let [picture, height] = ui.io().display_size;
+    [width(ui.current_font_size(), picture), height]
 }
 
 /// Draws the panel; adds what was asked for to `edits`.
 pub fn draw(ui: &Ui, panel: &mut Panel, info: &Info, show: &mut Show, edits: &mut Vec<Edit>) {
-    let docked = [width(ui), ui.io().display_size[1]];
     let mut open = true;
     ui.window("Edgewalker")
         .position([0.0; 2], Condition::Always)
-        .size(docked, Condition::Always)
+        .size(docked(ui), Condition::Always)
         .movable(false)
         .resizable(false)
         .collapsible(false)
