@@ -9,7 +9,7 @@ layout(std140) uniform FrameBlock {
     vec4 sun;            // xyz: towards the key light
     vec4 hero;           // xyz: the hero's foot
     vec4 puff;           // xyz: the last landing or take-off; w: seconds since then
-    vec4 scene;          // x: number of lights; y: height of the water; z: glow of the reached goal; w: strength of the puff
+    vec4 scene;          // x: number of lights; y: height of the water; w: strength of the puff
     vec4 light_at[16];   // xyz: point light; w: its reach in metres
     vec4 light_colour[16];
 };

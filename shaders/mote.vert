@@ -33,8 +33,8 @@ void main() {
         float side = seed.x < 0.5 ? -1.0 : 1.0;
         float way = (0.25 + 1.1 * phase) * (1.0 - (1.0 - age) * (1.0 - age));
         at = puff.xyz + vec3(side * way, 0.06 + (0.12 + 0.35 * seed.y) * age, 0.5 * (seed.z - 0.3));
-        size = scene.w * (0.07 + 0.15 * seed.y) * (0.5 + age);
-        tint = vec4(0.72, 0.64, 0.56, 1.0) * 0.42 * (1.0 - age) * step(0.001, scene.w);
+        size = (0.4 + 0.6 * scene.w) * (0.12 + 0.20 * seed.y) * (0.5 + age);
+        tint = vec4(0.95, 0.87, 0.74, 1.0) * 0.55 * (1.0 - age) * step(0.001, scene.w);
     }
     vec2 corner = vec2(gl_VertexID == 1 || gl_VertexID == 2 || gl_VertexID == 4, gl_VertexID == 2 || gl_VertexID == 4 || gl_VertexID == 5) * 2.0 - 1.0;
     spot = corner;

@@ -19,7 +19,7 @@ void main() {
     vec3 lit = albedo * fill(at, n, colour.a) + albedo * traits.x * 2.6;
     base = mix(lit, haze(normalize(at - eye.xyz)), haze_share);
     float facing = max(dot(n, sun.xyz), 0.0);
-    key = albedo * KEY * facing * mix(0.55, 1.0, colour.a) * (1.0 - traits.x) * (1.0 - haze_share);
+    key = albedo * KEY * facing * mix(0.45, 1.0, colour.a) * (1.0 - traits.x) * (1.0 - haze_share);
     shadow_at = (shadow_proj * vec4(at + n * (0.13 - 0.08 * facing) + sun.xyz * 0.04, 1.0)).xyz;
     gl_Position = view_proj * vec4(at, 1.0);
 }

@@ -15,6 +15,9 @@ const GLOW: [Format; 2] = [Format::F4, Format::Unorm4];
 const KINDS: [usize; 3] = [120, 26, 12];
 /// Seconds that a puff lasts.
 const PUFF: f64 = 0.7;
+/// Speeds into the ground, in m/s, up to which nothing is stirred up, and from which a puff is as large as it gets.
+const GENTLE: f64 = 4.0;
+const HARD: f64 = 20.0;
 
 /// The buffers.
 pub struct Air {
@@ -25,11 +28,35 @@ pub struct Air {
     puff: Option<Puff>,
 }
 
-/// Dust from a landing.
+/// Dust from a landing or a take-off.
 #[derive(Clone, Copy)]
 struct Puff {
-    landed_at: f64,
+    time: f64,
     at: Vec3,
+    strength: f32,
+}
+
+impl Puff {
+    /// The last one of a view that is seen for the first time.
+    fn of(view: &View, foot: Vec3) -> Puff {
+        let landed = view.landed_at >= view.left_at;
+        let (time, speed) = match landed {
+            true => (view.landed_at, view.landed_speed),
+            false => (view.left_at, 0.5 * view.velocity.y),
+        };
+        // Seen a little later than it happened: go back along the way.
+        let way = view.velocity.as_vec2().extend(0.0) * (view.time - time).clamp(0.0, 0.1) as f32;
+        let strength = if speed > GENTLE {
+            (speed / HARD).min(1.0) as f32
+        } else {
+            0.0
+        };
+        Puff {
+            time,
+            at: foot - way,
+            strength,
+        }
+    }
 }
 
 /// A number from 0 to 1 from a counter: additive steps of irrational size spread evenly.
@@ -68,26 +95,19 @@ impl Air {
 
     /// The puff of a view, for the frame's block: place and age, strength.
     pub fn puff(&mut self, view: &View, foot: Vec3) -> (Vec4, f32) {
-        let age = view.time - view.landed_at;
-        if self
+        let seen = self
             .puff
-            .is_none_or(|puff| puff.landed_at != view.landed_at)
-        {
-            // Seen a little later than it happened: go back along the way.
-            let way = view.velocity.as_vec2().extend(0.0) * (age.clamp(0.0, 0.1) as f32);
-            self.puff = Some(Puff {
-                landed_at: view.landed_at,
-                at: foot - way,
-            });
-        }
-        let fresh = (0.0..PUFF).contains(&age) && view.landed_speed > 4.0;
-        let at = self.puff.map_or(foot, |puff| puff.at);
-        let strength = if fresh {
-            (view.landed_speed / 20.0).min(1.0) as f32
+            .filter(|puff| puff.time == view.landed_at.max(view.left_at));
+        let puff = *self
+            .puff
+            .insert(seen.unwrap_or_else(|| Puff::of(view, foot)));
+        let age = (view.time - puff.time) / PUFF;
+        let strength = if (0.0..1.0).contains(&age) {
+            puff.strength
         } else {
             0.0
         };
-        (at.extend((age / PUFF).clamp(0.0, 1.0) as f32), strength)
+        (puff.at.extend(age.clamp(0.0, 1.0) as f32), strength)
     }
 
     /// Replaces the glows by those of these lamps.

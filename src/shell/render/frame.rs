@@ -96,7 +96,7 @@ pub struct FrameBlock {
     pub hero: Vec4,
     /// Place and age of the last puff of dust.
     pub puff: Vec4,
-    /// Number of lights (set by `write`), height of the water, glow of the reached goal, strength of the puff.
+    /// Number of lights (set by `write`), height of the water, nothing, strength of the puff.
     pub scene: Vec4,
 }
 

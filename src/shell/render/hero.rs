@@ -227,7 +227,7 @@ fn lantern(figure: &mut Model) {
 
 /// A strip of the cape: a thin slab that widens downwards, the last with a torn hem.
 fn cape(strip: usize, figure: &mut Model) {
-    let width = |at: usize| 0.19 + 0.045 * at as f32;
+    let width = |at: usize| 0.21 + 0.05 * at as f32;
     let thick = 0.014;
     let red = RED.on(FIRST_PART + Part::Cape as u8 + strip as u8);
     let red = red.towards(paint(0x7e1c22), 0.16 * strip as f32);

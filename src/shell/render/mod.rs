@@ -62,6 +62,7 @@ pub struct Renderer {
     /// All lamps of the stage, and those of the current picture.
     lamps: Vec<PointLight>,
     lit: Vec<PointLight>,
+    gate: Option<PointLight>,
     /// Room to put uploads together in, kept from frame to frame.
     words: Vec<u32>,
 }
@@ -124,6 +125,7 @@ impl Renderer {
             air: Air::new(&gl)?,
             debug: Debug::new(&gl)?,
             lamps: Vec::new(),
+            gate: None,
             lit: Vec::with_capacity(frame::MAX_LIGHTS + 1),
             words: Vec::new(),
             gl,
@@ -138,6 +140,7 @@ impl Renderer {
         self.water_height = scene.water;
         self.chunks = scene.chunks;
         self.lamps = scene.lamps;
+        self.gate = scene.gate;
     }
 
     /// Reads all shaders again.
@@ -188,19 +191,12 @@ impl Renderer {
     fn upload(&mut self, frame: &Frame, size: (u32, u32)) -> FrameBlock {
         let foot = frame.view.position.as_vec2().extend(0.0);
         let pose = self.hero.pose(frame.view);
-        self.lit.clear();
-        lamps::choose(&self.lamps, frame.camera.target, &mut self.lit);
-        self.lit.truncate(frame::MAX_LIGHTS - 1);
-        self.lit.push(hero::lamp(&pose, foot, frame.time));
+        self.light(frame, hero::lamp(&pose, foot, frame.time));
         let (puff, strength) = self.air.puff(frame.view, foot);
-        let won = frame
-            .view
-            .won_at
-            .map_or(0.0, |at| (frame.view.time - at).clamp(0.0, 1.0) as f32);
         let block = FrameBlock {
             hero: foot.extend(0.0),
             puff,
-            scene: Vec4::new(0.0, self.water_height, won, strength),
+            scene: Vec4::new(0.0, self.water_height, 0.0, strength),
             ..FrameBlock::new(&frame.camera, size, frame.time)
         };
         block.write(&self.lit, &mut self.words);
@@ -210,6 +206,21 @@ impl Renderer {
         self.air.upload(&self.lit, &mut self.words);
         self.debug.upload(frame.lines, frame.tris, &mut self.words);
         block
+    }
+
+    /// Chooses the lamps of a picture: the hero's always, the gate's second light once it is reached, then the nearest.
+    fn light(&mut self, frame: &Frame, hero: PointLight) {
+        self.lit.clear();
+        lamps::choose(&self.lamps, frame.camera.target, &mut self.lit);
+        self.lit.truncate(frame::MAX_LIGHTS - 2);
+        if let (Some(at), Some(gate)) = (frame.view.won_at, self.gate) {
+            let share = (frame.view.time - at).clamp(0.0, 1.0) as f32;
+            self.lit.push(PointLight {
+                colour: gate.colour * share,
+                ..gate
+            });
+        }
+        self.lit.push(hero);
     }
 
     /// Depth of everything near, seen from the key light.

@@ -33,6 +33,8 @@ pub struct Scene {
     pub chunks: Vec<Chunk>,
     /// The lamps.
     pub lamps: Vec<PointLight>,
+    /// What shines when the goal is reached.
+    pub gate: Option<PointLight>,
     /// Height of the water.
     pub water: f32,
     /// Corners of its surface.
@@ -56,6 +58,7 @@ impl Scene {
         let (things, lamps) = scenery::build(&stage.level);
         let water_words = water::corners(min, max, water);
         let mut scene = Scene {
+            gate: Some(scenery::gate_light(&stage.level, 1.6)),
             lamps,
             water,
             water_words,

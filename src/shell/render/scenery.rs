@@ -2,6 +2,7 @@
 
 use super::frame::PointLight;
 use super::model::{Model, Paint, hash, paint};
+use super::terrain;
 use crate::level::{Level, Scenery, SceneryKind};
 use glam::{Mat4, Vec3};
 use std::f32::consts::TAU;
@@ -21,7 +22,9 @@ const LODESTONE: Paint = paint(0x7ff0e0).glowing(0.9);
 pub fn build(level: &Level) -> (Model, Vec<PointLight>) {
     let (mut all, mut lamps) = (Model::default(), Vec::new());
     for thing in &level.scenery {
-        let foot = thing.at.as_vec2().extend(thing.depth as f32);
+        // What stands in front would hang before the fronts of the terrain.
+        let depth = (thing.depth as f32).min(terrain::EDGE - 0.12);
+        let foot = thing.at.as_vec2().extend(depth);
         let scale = thing.scale as f32;
         let place =
             Mat4::from_translation(foot) * Mat4::from_scale(Vec3::splat(scale)) * turn(thing, foot);
@@ -35,18 +38,25 @@ pub fn build(level: &Level) -> (Model, Vec<PointLight>) {
             });
         }
     }
-    let foot = Vec3::new(
-        (level.goal.min.x + level.goal.max.x) as f32 / 2.0,
-        level.goal.min.y as f32,
-        -0.9,
-    );
+    let foot = gate_foot(level);
     all.add(&gate(), Mat4::from_translation(foot));
-    lamps.push(PointLight {
-        at: foot + Vec3::new(0.0, 2.3, 0.8),
-        reach: 13.0,
-        colour: Vec3::new(0.35, 2.4, 2.1),
-    });
+    lamps.push(gate_light(level, 1.0));
     (all, lamps)
+}
+
+/// Where the gate stands: in the middle of the goal, behind the plane of play.
+fn gate_foot(level: &Level) -> Vec3 {
+    let middle = (level.goal.min.x + level.goal.max.x) / 2.0;
+    Vec3::new(middle as f32, level.goal.min.y as f32, -0.9)
+}
+
+/// The light of the gate's lodestone: 1 as it waits, more when it is reached.
+pub fn gate_light(level: &Level, strength: f32) -> PointLight {
+    PointLight {
+        at: gate_foot(level) + Vec3::new(0.0, 2.3, 0.8),
+        reach: 13.0,
+        colour: Vec3::new(0.35, 2.4, 2.1) * strength,
+    }
 }
 
 /// How a thing is turned about its own axis: so that no two look alike, and nothing flat is seen edge-on.

@@ -15,19 +15,21 @@ use glam::{DVec2, Vec3};
 /// Depth of the fronts, and of the rim around them, in metres.
 const FRONT: f32 = 0.75;
 const RIM: f32 = 0.24;
+/// Depth at which the walls end in front: what stands on the ground stands behind it.
+pub const EDGE: f32 = FRONT - RIM;
 /// Behind this depth the walls leave the outlines.
 const FLAT_BACK: f32 = -0.9;
 /// Where walls of rock are cut across, from front to back, and how far they swell there, in metres.
 const ROCK: &[(f32, f32)] = &[
-    (FRONT - RIM, 0.0),
+    (EDGE, 0.0),
     (FLAT_BACK, 0.0),
     (-2.6, 0.34),
     (-5.0, 0.9),
     (-8.5, 1.7),
 ];
 /// The same for things that were built: straight, and no deeper than they would be.
-const MASONRY: &[(f32, f32)] = &[(FRONT - RIM, 0.0), (FLAT_BACK, 0.0), (-2.4, 0.0)];
-const SMALL: &[(f32, f32)] = &[(FRONT - RIM, 0.0), (-0.6, 0.0)];
+const MASONRY: &[(f32, f32)] = &[(EDGE, 0.0), (FLAT_BACK, 0.0), (-2.4, 0.0)];
+const SMALL: &[(f32, f32)] = &[(EDGE, 0.0), (-0.6, 0.0)];
 
 /// Longest edges of facets, in metres, at the rim and within; larger where a level would need more than this many.
 const FACET: (f64, f64) = (1.25, 1.7);
@@ -56,7 +58,7 @@ fn palette(material: Material) -> Palette {
         stations,
     };
     match material {
-        Material::Rock => colours([0x828e70, 0x6f7583, 0x30475c, 0x6c7080], ROCK),
+        Material::Rock => colours([0x828e70, 0x6d7686, 0x28485e, 0x6c7080], ROCK),
         Material::Masonry => colours([0xaaa08e, 0x948c88, 0x525c6c, 0x827d82], MASONRY),
         Material::Timber => colours([0xb28a5c, 0x86603f, 0x5c4433, 0x6e4f38], SMALL),
         Material::Iron => colours([0xa6765a, 0x75564c, 0x4a4448, 0x5a4a48], SMALL),
@@ -200,7 +202,7 @@ fn add_front(facets: &Facets, model: &mut Model) {
             .cross(corners[2] - corners[0])
             .normalize_or_zero();
         let tinted = strata(face, (corners[0] + corners[1] + corners[2]) / 3.0);
-        let shade = vertices.map(|v| 1.0 - 0.45 * smooth(0.0, 6.0, depths[v] as f32));
+        let shade = vertices.map(|v| 1.0 - 0.55 * smooth(0.0, 5.5, depths[v] as f32));
         model.facet(corners, shade, weathered(tinted, &colours, normal));
     }
 }
