@@ -29,16 +29,16 @@ package_names() {
     case "$1:$2" in
         apt-get:compiler) echo g++ ;;
         apt-get:sdl2) echo libsdl2-dev ;;
-        apt-get:display) echo xvfb xauth ;;
+        apt-get:display) echo xvfb xauth xdotool ;;
         dnf:compiler) echo gcc-c++ ;;
         dnf:sdl2) echo SDL2-devel ;;
-        dnf:display) echo xorg-x11-server-Xvfb xorg-x11-xauth ;;
+        dnf:display) echo xorg-x11-server-Xvfb xorg-x11-xauth xdotool ;;
         pacman:compiler) echo gcc ;;
         pacman:sdl2) echo sdl2-compat ;;
-        pacman:display) echo xorg-server-xvfb xorg-xauth ;;
+        pacman:display) echo xorg-server-xvfb xorg-xauth xdotool ;;
         zypper:compiler) echo gcc-c++ ;;
         zypper:sdl2) echo SDL2-devel ;;
-        zypper:display) echo xorg-x11-server-Xvfb xauth ;;
+        zypper:display) echo xorg-x11-server-Xvfb xauth xdotool ;;
         brew:sdl2) echo sdl2 ;;
         brew:compiler) die "no C++ compiler: run 'xcode-select --install', then this script again" ;;
     esac
@@ -47,10 +47,17 @@ package_names() {
 # Whether a thing is there. Libraries are looked for as the linker will look for them.
 have() {
     case "$1" in
-        compiler) command -v cc >/dev/null && command -v c++ >/dev/null ;;
+        compiler) have_commands cc c++ ;;
         sdl2) links_with_sdl2 ;;
-        display) [[ "$(uname)" == Darwin ]] || { command -v xvfb-run >/dev/null && command -v xauth >/dev/null; } ;;
+        display) [[ "$(uname)" == Darwin ]] || have_commands xvfb-run xauth xdotool ;;
     esac
+}
+
+have_commands() {
+    local name
+    for name in "$@"; do
+        command -v "$name" >/dev/null || return 1
+    done
 }
 
 links_with_sdl2() {
@@ -104,7 +111,7 @@ need() {
     [[ ${#missing[@]} -gt 0 ]] || return 0
     if [[ -z "$manager" ]]; then
         die "missing: ${missing[*]}. This script knows apt-get, dnf, pacman, zypper and brew, and finds none of them." \
-            "Please install a C and C++ compiler, the development files of SDL2, and for the tests Xvfb with xauth."
+            "Please install a C and C++ compiler, the development files of SDL2, and for the tests Xvfb, xauth and xdotool."
     fi
     for thing in "${missing[@]}"; do
         local names

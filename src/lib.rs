@@ -1,16 +1,25 @@
 //! Edgewalker: a side-scroller whose movement runs, exactly, on a constrained Delaunay mesh.
 //!
-//! The folders in reading order; each may name itself and those above it, never those below.
+//! The folders in reading order; each may name itself and those above it, never those below. Blank lines keep the
+//! order: the formatter would sort modules that stand together.
 #![deny(unsafe_code)]
 #![warn(missing_docs)]
 
-pub mod anim;
-pub mod cli;
-pub mod game;
+pub mod tune;
+
 pub mod geom;
-pub mod level;
+
 pub mod mesh;
+
 pub mod motion;
+
+pub mod anim;
+
+pub mod level;
+
+pub mod game;
+
+pub mod cli;
+
 #[cfg(feature = "shell")]
 pub mod shell;
-pub mod tune;
