@@ -261,7 +261,7 @@ impl App {
         if done > 0 {
             self.stats
                 .tick
-                .push(begin.elapsed().as_secs_f32() * 1000.0 / done as f32);
+                .push(begin.elapsed().as_secs_f32() * 1e6 / done as f32);
             let count = self.play.events - events;
             self.stats.events.push(count as f32 / done as f32);
         }

@@ -175,7 +175,7 @@ fn keys_move_the_hero(_: &Path) {
 fn a_stall_is_dropped(_: &Path) {
     let mut app = open(&options(FLAT));
     app.frame(Duration::from_secs(600)).unwrap();
-    assert_eq!(app.play.world.tick(), 12);
+    assert_eq!(app.play.world.tick(), 30);
 }
 
 fn losing_the_focus_pauses(_: &Path) {

@@ -34,7 +34,7 @@ impl Series {
 pub struct Stats {
     /// Milliseconds from one frame to the next.
     pub frame: Series,
-    /// Milliseconds spent on each tick, in frames with ticks.
+    /// Microseconds spent on each tick, in frames with ticks.
     pub tick: Series,
     /// Motion events per tick, in frames with ticks.
     pub events: Series,
@@ -43,7 +43,7 @@ pub struct Stats {
 /// The section with the graphs.
 pub fn section(ui: &Ui, stats: &Stats) {
     graph(ui, "Frame", "ms", &stats.frame, 1);
-    graph(ui, "Tick", "ms", &stats.tick, 3);
+    graph(ui, "Tick", "µs", &stats.tick, 1);
     graph(ui, "Events per tick", "", &stats.events, 2);
 }
 
