@@ -1,7 +1,7 @@
-//! Edgewalker: a side-scroller whose movement runs, exactly, on a constrained Delaunay mesh.
-//!
 //! The folders in reading order; each may name itself and those above it, never those below. Blank lines keep the
 //! order: the formatter would sort modules that stand together.
+//!
+#![doc = include_str!("../README.md")]
 #![deny(unsafe_code)]
 #![warn(missing_docs)]
 
