@@ -1,5 +1,6 @@
 //! Level files: what is refused, in which words, and that nothing in a file can make the game panic.
 
+use edgewalker::game::Stage;
 use edgewalker::level::{self, Level};
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng, SeedableRng};
@@ -166,6 +167,14 @@ fn outlines_that_are_not_simple_are_refused() {
         let expected = format!("small.ron:23: feature \"ledge\", outline: {message}");
         assert_eq!(complaint(ledge, outline), expected);
     }
+    let close: Vec<String> = (0..5000)
+        .map(|i| format!("({}, {})", f64::from(i) * 0.5, i % 2))
+        .collect();
+    let close = complaint(ledge, &format!("[{}]", close.join(",")));
+    assert!(
+        close.ends_with("outline: has 5000 corners; at most 4096 are allowed"),
+        "{close}"
+    );
     let spread = complaint(ledge, "[\n(3, 2),\n(3, 1),\n(5, 2),\n(5, 1)]");
     assert!(
         spread.starts_with("small.ron:25: feature \"ledge\", outline: edges 1 and 3 cross"),
@@ -363,12 +372,15 @@ fn saving_to_a_place_that_cannot_hold_a_file_is_an_error() {
     }
 }
 
-/// Reads what must not panic; a level that is accepted must survive being written and read again.
+/// Reads what must not panic; a level that is accepted must survive being written and read again, and being built.
 fn survive(text: &str) {
     if let Ok(level) = level::parse(text, Path::new("mutant.ron")) {
         let again = ron::to_string(&level).unwrap();
         let read: Level = level::parse(&again, Path::new("again.ron")).unwrap();
         assert_eq!(read, level);
+        if let Err(error) = Stage::build(level) {
+            panic!("accepted, but cannot be played: {error}\n{text}");
+        }
     }
 }
 
