@@ -158,7 +158,7 @@ impl std::fmt::Display for TuneError {
         } = self.meta;
         write!(
             f,
-            "field `{name}`: {} is outside {min}..={max} {unit}",
+            "field `{name}`: {:?} is outside {min}..={max} {unit}",
             self.value
         )
     }

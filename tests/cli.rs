@@ -1,7 +1,7 @@
 //! The program from outside: exit status and message for everything that can be wrong with what it is given.
 
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::{Command, Output};
 
 const PROGRAM: &str = env!("CARGO_BIN_EXE_edgewalker");

@@ -203,12 +203,13 @@ mod tests {
                 second: 2
             })
         );
+        // The corner between edges 2 and 3 lies on edge 0; the sweep comes to edge 3 first.
         let touching = outline(&[(0, 0), (8, 0), (8, 8), (4, 0), (0, 8)]);
         assert_eq!(
             check_outline(&touching),
             Err(OutlineError::Meet {
                 first: 0,
-                second: 2
+                second: 3
             })
         );
     }

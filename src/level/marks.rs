@@ -77,7 +77,7 @@ impl<'a> Marks<'a> {
     pub fn line(&self, flaw: &Flaw) -> Option<usize> {
         let value = match flaw.entity {
             Entity::Level => self.level_field(&flaw.field),
-            Entity::Feature(index, _) => self.feature_field(*self.features.get(index)?, flaw),
+            Entity::Feature(index, _) => self.feature_field(self.features.get(index)?, flaw),
             Entity::Scenery(index) => self.scenery.get(index).copied(),
         };
         value.map(|value| self.line_of(value))

@@ -4,9 +4,9 @@ use super::body::{Air, Body, EventKind, Mode, Next, Surface, Terrain, Trace, Wed
 use super::law;
 use super::roots::exit;
 use super::track::{Track, delta, walkable};
-use super::vertex::{Bearing, JOINT_STEPS, Sector, sector, segment_at};
+use super::vertex::{JOINT_STEPS, segment_at};
 use crate::geom::{Point, STEP};
-use crate::mesh::{EdgeId, Mesh, SegmentId, VertexId};
+use crate::mesh::{EdgeId, Mesh, SegmentId};
 use crate::tune::Motion;
 use glam::DVec2;
 
@@ -123,18 +123,13 @@ impl Body {
         if let Mode::Air(air) = &mut self.mode {
             air.since = since;
         }
-        for spoke in [edge, mesh.lnext(edge)] {
-            if mesh.point(mesh.origin(spoke)).metres() == at {
-                return self.hit_vertex(spoke, terrain, trace);
-            }
-        }
         match segment_at(mesh, edge, terrain.tuning.max_slope, |_| false) {
             Some(segment) => self.contact(segment, edge, terrain, trace),
             None => self.wedge(at, edge, terrain, trace),
         }
     }
 
-    /// Meets a feature edge in the inside of one of its pieces.
+    /// Meets a feature edge on one of its pieces. At an end of the piece, or beyond it by rounding, the vertex decides.
     fn contact(&mut self, segment: SegmentId, edge: EdgeId, terrain: &Terrain, trace: &mut Trace) {
         let mesh = terrain.mesh(self.size);
         let track = Track::of(mesh.segment(segment));
@@ -147,17 +142,26 @@ impl Body {
             }
             return;
         }
-        let ends = [mesh.origin(edge), mesh.dest(edge)].map(|v| track.parameter_of(mesh.point(v)));
-        let s = track
-            .parameter(at)
-            .clamp(ends[0].min(ends[1]), ends[0].max(ends[1]));
-        let along = track.tangent * track.tangent.dot(v);
-        let u = if self.is_held_between(at, along, mesh) {
-            0.0
-        } else {
-            track.tangent.dot(v)
-        };
-        self.settle(segment, edge, s, u, into, terrain, trace);
+        let s = track.parameter(at);
+        let ends =
+            [edge, mesh.lnext(edge)].map(|e| (track.parameter_of(mesh.point(mesh.origin(e))), e));
+        for ((end, spoke), (other, _)) in [(ends[0], ends[1]), (ends[1], ends[0])] {
+            if (s - end) * (other - end) <= 0.0 && self.meet_vertex(spoke, segment, terrain, trace)
+            {
+                return;
+            }
+        }
+        let along = track.tangent.dot(v);
+        let held = self.is_held_between(at, track.tangent * along, mesh);
+        self.settle(
+            segment,
+            edge,
+            s,
+            if held { 0.0 } else { along },
+            into,
+            terrain,
+            trace,
+        );
     }
 
     /// Whether the velocity that one blocking edge leaves goes into another one, which the body has just left and is not yet
@@ -245,82 +249,6 @@ impl Body {
         away(push) && away(x.accel)
     }
 
-    /// At a vertex, exactly. `spoke` leaves it, with the free face that the body comes from on its left.
-    ///
-    /// If the motion leads into a free sector it was only a touch. Else the body meets the two edges that bound the
-    /// solid sector: it goes on along one that it can follow, walkable ones first; it rests where there is none (a V),
-    /// and on a tip whose two sides it strikes at once.
-    fn hit_vertex(&mut self, spoke: EdgeId, terrain: &Terrain, trace: &mut Trace) {
-        let Mode::Air(air) = &self.mode else { return };
-        let mesh = terrain.mesh(self.size);
-        let (v, accel) = (self.velocity(), air.accel);
-        let (out, into) = match sector(mesh, spoke, Bearing::of(v, accel)) {
-            Sector::Free(face) => {
-                if let Mode::Air(air) = &mut self.mode {
-                    air.face = face;
-                }
-                trace.crossed += 1;
-                return;
-            }
-            Sector::Solid(out, into) => (out, into),
-        };
-        let vertex = mesh.origin(out);
-        let sides = [out, into].map(|e| self.meet(e, vertex, accel, terrain));
-        let [Some(a), Some(b)] = sides else {
-            return self.wedge(mesh.point(vertex).metres(), out, terrain, trace);
-        };
-        let tip = [&a, &b]
-            .into_iter()
-            .all(|m| m.struck && m.outward > 0.0 && !m.walkable);
-        let best = [&a, &b]
-            .into_iter()
-            .filter(|m| m.struck && (m.outward >= 0.0 || m.walkable) && !tip);
-        match best.max_by(|a, b| a.rank().partial_cmp(&b.rank()).expect("no NaN in a motion")) {
-            Some(m) => {
-                let s = Track::of(mesh.segment(m.segment)).parameter_of(mesh.point(vertex));
-                let balanced = a.rank() == b.rank();
-                let along = if m.outward > 0.0 && !balanced {
-                    m.along
-                } else {
-                    0.0
-                };
-                self.settle(m.segment, m.edge, s, along, m.into, terrain, trace);
-            }
-            None => self.wedge(mesh.point(vertex).metres(), out, terrain, trace),
-        }
-    }
-
-    /// How a motion at a vertex meets one of the edges there.
-    fn meet(
-        &self,
-        edge: EdgeId,
-        vertex: VertexId,
-        accel: DVec2,
-        terrain: &Terrain,
-    ) -> Option<Meeting> {
-        let mesh = terrain.mesh(self.size);
-        let v = self.velocity();
-        let segment = segment_at(mesh, edge, terrain.tuning.max_slope, |_| false)?;
-        let track = Track::of(mesh.segment(segment));
-        let into = -track.normal.dot(v);
-        // Along the edge and away from the vertex: with the free side on the left for the edge that starts there.
-        let away = if (mesh.origin(edge) == vertex) == track.leftward_free {
-            1.0
-        } else {
-            -1.0
-        };
-        Some(Meeting {
-            segment,
-            edge,
-            into,
-            along: track.tangent.dot(v),
-            outward: track.tangent.dot(Bearing::of(v, accel).d) * away,
-            struck: into > 0.0 || into == 0.0 && track.normal.dot(accel) < 0.0,
-            walkable: walkable(mesh.segment(segment), terrain.tuning.max_slope),
-            normal_y: track.normal.y,
-        })
-    }
-
     /// Held from here on, until a jump.
     pub(super) fn wedge(&mut self, at: DVec2, edge: EdgeId, terrain: &Terrain, trace: &mut Trace) {
         let face = terrain
@@ -330,34 +258,5 @@ impl Body {
         self.rising = false;
         self.mode = Mode::Wedge(Wedge { at, face });
         self.log(EventKind::Wedged, trace);
-    }
-}
-
-/// How a motion at a vertex meets one of its edges.
-struct Meeting {
-    segment: SegmentId,
-    edge: EdgeId,
-    /// Speed into it.
-    into: f64,
-    /// Speed along its tangent.
-    along: f64,
-    /// Positive if the motion leads along it, away from the vertex.
-    outward: f64,
-    /// The motion goes into it.
-    struck: bool,
-    walkable: bool,
-    normal_y: f64,
-}
-
-impl Meeting {
-    /// Which of two edges a body goes on along; equal only for mirror images, between which it balances.
-    fn rank(&self) -> (bool, bool, bool, f64, f64) {
-        (
-            self.struck,
-            self.walkable,
-            self.outward >= 0.0,
-            self.normal_y,
-            self.into,
-        )
     }
 }

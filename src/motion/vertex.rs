@@ -107,8 +107,7 @@ fn fan(mesh: &Mesh, spoke: EdgeId) -> Fan {
     }
     let mut faces = Vec::new();
     let mut out = first;
-    loop {
-        let Some(face) = mesh.left(out) else { break };
+    while let Some(face) = mesh.left(out) {
         let next = mesh.onext(out);
         faces.push((face, out, next));
         if mesh.blocks(mesh.sym(next)) {

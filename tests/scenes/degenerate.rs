@@ -145,7 +145,7 @@ fn scene_08_a_slab_a_step_thick_stops_ten_kilometres_a_second() {
             let t = run.when(|k| matches!(k, EventKind::Landed(_)));
             close(
                 t,
-                0.009999850004499831,
+                0.00999985000449983,
                 1e-15
                     * if run.variant == Variant::Shifted {
                         1e3

@@ -1,0 +1,128 @@
+//! A flight that meets a vertex: a touch, a landing on one of its two edges, or rest between them.
+
+use super::body::{Body, Mode, Terrain, Trace};
+use super::track::{Track, walkable};
+use super::vertex::{Bearing, Sector, sector, segment_at};
+use crate::mesh::{EdgeId, SegmentId, VertexId};
+use glam::DVec2;
+
+impl Body {
+    /// At a vertex, exactly or as rounding goes. `spoke` leaves it, with the free face that the body comes from on its left;
+    /// it has come to a piece of `segment` there. False if the vertex does not decide anything: then it is a contact with that.
+    ///
+    /// If the motion leads into a free sector it was only a touch. Else the body meets the two edges that bound the
+    /// solid sector: it goes on along one that it can follow, walkable ones first; it rests where there is none (a V),
+    /// and on a tip whose two sides it strikes at once.
+    pub(super) fn meet_vertex(
+        &mut self,
+        spoke: EdgeId,
+        segment: SegmentId,
+        terrain: &Terrain,
+        trace: &mut Trace,
+    ) -> bool {
+        let v = self.velocity();
+        let mesh = terrain.mesh(self.size);
+        let Mode::Air(air) = &mut self.mode else {
+            return false;
+        };
+        let accel = air.accel;
+        let (out, into) = match sector(mesh, spoke, Bearing::of(v, accel)) {
+            Sector::Free(face) if face == air.face => return false,
+            Sector::Free(face) => {
+                air.face = face;
+                air.touching = [Some(segment), air.touching[0]];
+                trace.crossed += 1;
+                return true;
+            }
+            Sector::Solid(out, into) => (out, into),
+        };
+        let vertex = mesh.origin(out);
+        let sides = [out, into].map(|e| self.meet(e, vertex, accel, terrain));
+        let [Some(a), Some(b)] = sides else {
+            return false;
+        };
+        if !a.struck && !b.struck {
+            return false;
+        }
+        let both = [&a, &b];
+        let tip = both
+            .iter()
+            .all(|m| m.struck && m.outward > 0.0 && !m.walkable);
+        let follows = |m: &&Meeting| m.struck && (m.outward >= 0.0 || m.walkable) && !tip;
+        let best = both.into_iter().filter(follows);
+        match best.max_by(|a, b| a.rank().partial_cmp(&b.rank()).expect("no NaN in a motion")) {
+            Some(m) => {
+                let s = Track::of(mesh.segment(m.segment)).parameter_of(mesh.point(vertex));
+                let balanced = a.rank() == b.rank();
+                let along = if m.outward > 0.0 && !balanced {
+                    m.along
+                } else {
+                    0.0
+                };
+                self.settle(m.segment, m.edge, s, along, m.into, terrain, trace);
+            }
+            None => self.wedge(mesh.point(vertex).metres(), out, terrain, trace),
+        }
+        true
+    }
+
+    /// How a motion at a vertex meets one of the edges there.
+    fn meet(
+        &self,
+        edge: EdgeId,
+        vertex: VertexId,
+        accel: DVec2,
+        terrain: &Terrain,
+    ) -> Option<Meeting> {
+        let mesh = terrain.mesh(self.size);
+        let v = self.velocity();
+        let segment = segment_at(mesh, edge, terrain.tuning.max_slope, |_| false)?;
+        let track = Track::of(mesh.segment(segment));
+        let into = -track.normal.dot(v);
+        // Along the edge and away from the vertex: with the free side on the left for the edge that starts there.
+        let away = if (mesh.origin(edge) == vertex) == track.leftward_free {
+            1.0
+        } else {
+            -1.0
+        };
+        Some(Meeting {
+            segment,
+            edge,
+            into,
+            along: track.tangent.dot(v),
+            outward: track.tangent.dot(Bearing::of(v, accel).d) * away,
+            struck: into > 0.0 || into == 0.0 && track.normal.dot(accel) < 0.0,
+            walkable: walkable(mesh.segment(segment), terrain.tuning.max_slope),
+            normal_y: track.normal.y,
+        })
+    }
+}
+
+/// How a motion at a vertex meets one of its edges.
+struct Meeting {
+    segment: SegmentId,
+    edge: EdgeId,
+    /// Speed into it.
+    into: f64,
+    /// Speed along its tangent.
+    along: f64,
+    /// Positive if the motion leads along it, away from the vertex.
+    outward: f64,
+    /// The motion goes into it.
+    struck: bool,
+    walkable: bool,
+    normal_y: f64,
+}
+
+impl Meeting {
+    /// Which of two edges a body goes on along; equal only for mirror images, between which it balances.
+    fn rank(&self) -> (bool, bool, bool, f64, f64) {
+        (
+            self.struck,
+            self.walkable,
+            self.outward >= 0.0,
+            self.normal_y,
+            self.into,
+        )
+    }
+}
