@@ -331,6 +331,52 @@ fn expansion_commutes_with_the_mirror_and_with_reversal() {
 }
 
 #[test]
+fn collider_sides_join_the_edges_that_they_are_parallel_to() {
+    let outline = |corners: &[(i32, i32)]| -> Vec<Point> {
+        corners.iter().map(|&(x, y)| Point::new(x, y)).collect()
+    };
+    let collider = &colliders()[2];
+    let expanded = |corners: &[(i32, i32)]| -> Vec<_> {
+        let edges = expand(&outline(corners), collider);
+        edges
+            .iter()
+            .map(|e| (spot(e.a), spot(e.b), e.source))
+            .collect()
+    };
+    let edge = |edge| Source::Edge { edge };
+    // A box by a box is a box of four edges.
+    let boxed = expanded(&[(0, 0), (10, 0), (10, 10), (0, 10)]);
+    let sides = [
+        ((-1, -1), (11, -1), edge(0)),
+        ((11, -1), (11, 11), edge(1)),
+        ((11, 11), (-1, 11), edge(2)),
+        ((-1, 11), (-1, -1), edge(3)),
+    ];
+    assert_eq!(boxed, sides);
+    // The floor of a pit is what the body can reach of it.
+    let pit = [
+        (0, 0),
+        (20, 0),
+        (20, 10),
+        (15, 10),
+        (15, 4),
+        (5, 4),
+        (5, 10),
+        (0, 10),
+    ];
+    assert!(expanded(&pit).contains(&((14, 5), (6, 5), edge(4))));
+    // Between two edges in line, the side is a piece of its own.
+    let straight = expanded(&[(0, 0), (10, 0), (10, 10), (5, 10), (0, 10)]);
+    let corner = Source::Corner { vertex: 3, side: 0 };
+    let top = [
+        ((11, 11), (6, 11), edge(2)),
+        ((6, 11), (4, 11), corner),
+        ((4, 11), (-1, 11), edge(3)),
+    ];
+    assert_eq!(straight[2..5], top);
+}
+
+#[test]
 fn colliders_are_checked() {
     use edgewalker::geom::ColliderError::{Labels, NotConvex, TooLarge};
     let p = Point::new;

@@ -4,17 +4,11 @@
 mod common;
 
 use common::slow::{self, Spot, spot};
+use common::soups::sound;
 use common::worlds::{self, Dice, wire};
 use edgewalker::geom::{BOUND, Collider, ExpandedEdge, Point, Source, expand};
 use edgewalker::mesh::{Mesh, MeshError};
 use glam::DVec2;
-
-/// Asserts all invariants.
-fn sound(mesh: &Mesh, story: &dyn std::fmt::Debug) {
-    if let Err(wrong) = mesh.check() {
-        panic!("{wrong}\n{story:?}");
-    }
-}
 
 /// Segments by their coordinates, in metres.
 type Vectors = &'static [[f64; 4]];

@@ -143,3 +143,53 @@ impl Buckets {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geom::predicates::meets_pixel;
+
+    #[test]
+    fn every_pixel_that_a_segment_meets_is_in_one_of_its_cells() {
+        let buckets = Buckets::new(2);
+        let mut cells = Vec::new();
+        let points: Vec<Point> = (-5..6)
+            .flat_map(|x| (-6..5).map(move |y| Point::new(x, y)))
+            .collect();
+        for &a in &points {
+            for &b in &points {
+                buckets.cells_along(a, b, &mut cells);
+                let met = points.iter().filter(|&&p| meets_pixel(a, b, p));
+                let missed = met
+                    .map(|&p| buckets.cell_of(p))
+                    .find(|cell| !cells.contains(cell));
+                assert_eq!(missed, None, "{a:?} {b:?}");
+                let count = cells.len();
+                cells.sort_unstable();
+                cells.dedup();
+                assert_eq!(cells.len(), count, "each cell once: {a:?} {b:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn items_come_and_go() {
+        let mut buckets = Buckets::new(3);
+        for (cell, item) in [(1, 10), (1, 11), (2, 10), (1, 12)] {
+            buckets.add(cell, item);
+        }
+        let items = |buckets: &Buckets, cell| buckets.items(cell).collect::<Vec<_>>();
+        assert_eq!(items(&buckets, 1), [12, 11, 10]);
+        buckets.remove(1, 11);
+        buckets.remove(1, 99);
+        assert_eq!(
+            (items(&buckets, 1), items(&buckets, 2)),
+            (vec![12, 10], vec![10])
+        );
+        buckets.remove(1, 12);
+        buckets.remove(1, 10);
+        buckets.add(3, 7);
+        assert_eq!((items(&buckets, 1), items(&buckets, 3)), (vec![], vec![7]));
+        assert_eq!(buckets.links.len(), 4, "links are used again");
+    }
+}

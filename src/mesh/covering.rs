@@ -69,40 +69,45 @@ impl Mesh {
     /// count is carried around that vertex, and along the chain around each of the others.
     fn windings_along(&self, feature: FeatureId) -> Vec<(u32, i32)> {
         let t = &self.triangulation.topology;
-        let pieces = self.features[&feature]
-            .segments
+        let point = |v: u32| self.triangulation.point(v);
+        let segments = &self.features[&feature].segments;
+        let pieces = segments
             .iter()
             .flat_map(|&s| self.arrangement.chain(s).windows(2));
         let mut chain: Vec<u32> = pieces.map(|pair| pair[0].0).collect();
-        let point = |v: u32| self.triangulation.point(v);
-        let first = (0..chain.len())
-            .min_by_key(|&i| point(chain[i]))
-            .unwrap_or(0);
-        chain.rotate_left(first);
-        let mut at = t
-            .ring(chain[0])
-            .find(|&q| point(t.dest(q)) < point(chain[0]))
-            .expect("the outer box lies around every feature");
+        let first = (0..chain.len()).min_by_key(|&i| point(chain[i]));
+        chain.rotate_left(first.unwrap_or(0));
+        let beyond = |&q: &Quarter| point(t.dest(q)) < point(chain[0]);
+        let way_out = t.ring(chain[0]).find(beyond);
+        let mut at = way_out.expect("the outer box lies around every feature");
         let mut winding = 0;
         let mut found = Vec::new();
         for i in 0..chain.len() {
-            // Around chain[i], from the face left of `at`.
+            let around = self.windings_around(feature, at, winding);
+            found.extend(around.iter().map(|&(q, winding)| (t.left(q), winding)));
             let towards = chain[(i + 1) % chain.len()];
-            let (start, mut next) = (at, None);
-            loop {
-                found.push((t.left(at), winding));
-                if t.dest(at) == towards {
-                    next = Some((t.lnext(at), winding));
-                }
-                at = t.onext(at);
-                if at == start {
-                    break;
-                }
-                winding += self.gain_of(feature, at);
-            }
-            (at, winding) = next.expect("each piece of a chain is an edge");
+            let onwards = around.iter().find(|&&(q, _)| t.dest(q) == towards);
+            let &(q, left) = onwards.expect("each piece of a chain is an edge");
+            (at, winding) = (t.lnext(q), left);
         }
         found
+    }
+
+    /// The edges around the origin of an edge, beginning with it, each with how often a feature winds around
+    /// its left face, which is given for the first.
+    fn windings_around(
+        &self,
+        feature: FeatureId,
+        at: Quarter,
+        winding: i32,
+    ) -> Vec<(Quarter, i32)> {
+        let mut winding = winding - self.gain_of(feature, at);
+        let ring = self.triangulation.topology.ring_from(at);
+        ring.map(|q| {
+            winding += self.gain_of(feature, q);
+            (q, winding)
+        })
+        .collect()
     }
 
     /// Takes a feature that is about to be removed out of the covers of the faces inside it.
@@ -111,9 +116,7 @@ impl Mesh {
         let mut stack = Vec::new();
         for &s in &self.features[&feature].segments {
             for pair in self.arrangement.chain(s).windows(2) {
-                let e = t
-                    .edge_between(pair[0].0, pair[1].0)
-                    .expect("each piece of a chain is an edge");
+                let e = self.piece(pair);
                 stack.extend([t.left(e), t.left(sym(e))]);
             }
         }

@@ -7,6 +7,7 @@
 use super::cover::Covers;
 use super::hilbert::hilbert;
 use super::snap::{Arrangement, Diff};
+use super::topology::Quarter;
 use super::triangulation::{CORNERS, EDGE_OF_WORLD, Triangulation};
 use super::uses::Uses;
 use super::{Feature, FeatureId, Mesh, MeshError, Segment, SegmentId, VertexId};
@@ -15,6 +16,9 @@ use std::collections::BTreeMap;
 
 /// Binary logarithm of the cell size of a mesh without segments to judge by: 1 m.
 const DEFAULT_SHIFT: u32 = 16;
+
+/// Binary logarithm of the smallest cell size, 4 mm: a segment right across the world then still has few cells.
+const MIN_SHIFT: u32 = 8;
 
 impl Mesh {
     /// The mesh of features with ids 0, 1, 2 ... in order.
@@ -91,56 +95,55 @@ impl Mesh {
 
     /// Adds checked features to everything but the covers.
     fn put(&mut self, batch: &[(FeatureId, &[ExpandedEdge])]) {
-        let ends: Vec<(Point, Point)> = batch
-            .iter()
-            .flat_map(|(_, edges)| edges.iter().map(|e| (e.a, e.b)))
-            .collect();
+        let edges = batch.iter().flat_map(|(_, edges)| edges.iter());
+        let ends: Vec<(Point, Point)> = edges.map(|e| (e.a, e.b)).collect();
         let diff = self.arrangement.edit(&ends, &[]);
-        let mut ids = diff.added.iter().copied();
+        let mut ids = diff.added.as_slice();
         for &(feature, edges) in batch {
-            let closed = is_closed(edges);
-            let segments: Vec<SegmentId> = ids.by_ref().take(edges.len()).collect();
-            for (&id, &ExpandedEdge { a, b, source }) in segments.iter().zip(edges) {
-                let segment = Segment {
-                    a,
-                    b,
-                    feature,
-                    source,
-                };
-                if id.index() == self.segments.len() {
-                    self.segments.push(segment);
-                    self.winds.push(closed);
-                }
-                self.segments[id.index()] = segment;
-                self.winds[id.index()] = closed;
-            }
-            let mut by_source: Vec<_> = segments
-                .iter()
-                .zip(edges)
-                .map(|(&id, e)| (e.source, id))
-                .collect();
-            by_source.sort_unstable();
-            self.features.insert(
-                feature,
-                Feature {
-                    segments,
-                    by_source,
-                    closed,
-                },
-            );
+            let (own, rest) = ids.split_at(edges.len());
+            self.record(feature, edges, own);
+            ids = rest;
         }
         self.apply(&diff);
+    }
+
+    /// Notes which segments are whose.
+    fn record(&mut self, feature: FeatureId, edges: &[ExpandedEdge], ids: &[SegmentId]) {
+        let closed = is_closed(edges);
+        for (id, edge) in ids.iter().zip(edges) {
+            let &ExpandedEdge { a, b, source } = edge;
+            let segment = Segment {
+                a,
+                b,
+                feature,
+                source,
+            };
+            if id.index() == self.segments.len() {
+                self.segments.push(segment);
+                self.winds.push(closed);
+            }
+            self.segments[id.index()] = segment;
+            self.winds[id.index()] = closed;
+        }
+        let source = |(&id, edge): (&SegmentId, &ExpandedEdge)| (edge.source, id);
+        let mut by_source: Vec<_> = ids.iter().zip(edges).map(source).collect();
+        by_source.sort_unstable();
+        let segments = ids.to_vec();
+        self.features.insert(
+            feature,
+            Feature {
+                segments,
+                by_source,
+                closed,
+            },
+        );
     }
 
     /// Makes the triangulation follow the arrangement: all changed chains out, then all in.
     fn apply(&mut self, diff: &Diff) {
         for route in &diff.rerouted {
             for pair in route.old.windows(2) {
-                let e = self
-                    .triangulation
-                    .topology
-                    .edge_between(pair[0].0, pair[1].0);
-                let e = e.expect("each piece of a chain is an edge");
+                let e = self.piece(pair);
                 self.uses.remove(e, route.segment);
                 if self.uses.is_empty(e) {
                     self.triangulation.release(e);
@@ -151,9 +154,9 @@ impl Mesh {
             self.triangulation.delete(v.0);
         }
         self.triangulation.legalise();
+        let points = self.arrangement.points();
         for v in self.nearby_order(&diff.born) {
-            self.triangulation
-                .insert(v.0, self.arrangement.points()[v.index()]);
+            self.triangulation.insert(v.0, points[v.index()]);
         }
         let rerouted = diff.rerouted.iter().map(|r| (r.segment, r.new.as_slice()));
         let added = diff.added.iter().map(|&s| (s, self.arrangement.chain(s)));
@@ -165,6 +168,15 @@ impl Mesh {
             }
         }
         self.triangulation.legalise();
+    }
+
+    /// The edge between two consecutive vertices of a chain that is in the triangulation.
+    pub(super) fn piece(&self, pair: &[VertexId]) -> Quarter {
+        let edge = self
+            .triangulation
+            .topology
+            .edge_between(pair[0].0, pair[1].0);
+        edge.expect("each piece of a chain is an edge")
     }
 
     /// Vertices in an order in which neighbours in the list are mostly neighbours in the plane.
@@ -180,7 +192,7 @@ impl Mesh {
 
 /// Checks the edges of a feature at the door.
 fn check(feature: FeatureId, edges: &[ExpandedEdge]) -> Result<(), MeshError> {
-    let inside = |p: Point| p.x.abs() < EDGE_OF_WORLD && p.y.abs() < EDGE_OF_WORLD;
+    let inside = |p: Point| p.x.unsigned_abs().max(p.y.unsigned_abs()) < EDGE_OF_WORLD as u32;
     for (edge, e) in edges.iter().enumerate() {
         if !(inside(e.a) && inside(e.b)) {
             return Err(MeshError::OutOfBounds { feature, edge });
@@ -205,5 +217,5 @@ fn usual_shift(features: &[Vec<ExpandedEdge>]) -> u32 {
     total
         .checked_div(count)
         .and_then(u64::checked_ilog2)
-        .unwrap_or(DEFAULT_SHIFT)
+        .map_or(DEFAULT_SHIFT, |shift| shift.max(MIN_SHIFT))
 }

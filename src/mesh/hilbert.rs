@@ -19,3 +19,19 @@ pub fn hilbert(p: Point) -> u64 {
     }
     along
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn consecutive_points_of_a_block_are_neighbours() {
+        let mut block: Vec<Point> = (0..256).map(|i| Point::new(i % 16, i / 16 - 64)).collect();
+        block.sort_by_key(|&p| hilbert(p));
+        for pair in block.windows(2) {
+            assert_eq!(hilbert(pair[1]) - hilbert(pair[0]), 1);
+            let (dx, dy) = (pair[0].x.abs_diff(pair[1].x), pair[0].y.abs_diff(pair[1].y));
+            assert_eq!(dx + dy, 1, "{pair:?}");
+        }
+    }
+}

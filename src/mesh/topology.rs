@@ -122,12 +122,14 @@ impl Topology {
 
     /// All edges that start at a vertex, counter-clockwise.
     pub fn ring(&self, v: u32) -> impl Iterator<Item = Quarter> + '_ {
-        let first = self.vertex_edge(v);
-        let mut at = first;
-        std::iter::once(first).chain(std::iter::from_fn(move || {
-            at = self.onext(at);
-            (at != first).then_some(at)
-        }))
+        self.ring_from(self.vertex_edge(v))
+    }
+
+    /// All edges that start where one does, counter-clockwise, beginning with that one.
+    pub fn ring_from(&self, first: Quarter) -> impl Iterator<Item = Quarter> + '_ {
+        std::iter::successors(Some(first), move |&q| {
+            Some(self.onext(q)).filter(|&next| next != first)
+        })
     }
 
     /// The edge from one vertex to another.
@@ -375,5 +377,60 @@ impl Topology {
             self.touched[f as usize] = false;
         }
         std::mem::take(&mut self.touched_list)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The corners of all faces, each from its smallest, sorted: the triangulation without any ids but vertices.
+    fn faces(t: &Topology) -> Vec<[u32; 3]> {
+        let corners = |f: u32| {
+            let mut corners = t.sides(f).map(|e| t.origin(e));
+            let smallest = (0..3).min_by_key(|&i| corners[i]).unwrap_or(0);
+            corners.rotate_left(smallest);
+            corners
+        };
+        let mut faces: Vec<_> = t.faces().map(corners).collect();
+        faces.sort_unstable();
+        faces
+    }
+
+    #[test]
+    fn the_square_has_two_triangles_and_an_outside() {
+        let t = Topology::square();
+        assert_eq!(faces(&t), [[0, 1, 2], [0, 2, 3]]);
+        let outside = t.edges().filter(|&q| t.left(sym(q)) == OUTSIDE).count();
+        assert_eq!((outside, t.edges().count()), (4, 5));
+        assert_eq!(t.ring(0).map(|q| t.dest(q)).collect::<Vec<_>>().len(), 3);
+        assert_eq!(t.edge_between(1, 3), None);
+    }
+
+    #[test]
+    fn four_flips_are_none() {
+        let mut t = Topology::square();
+        let cut = t.edge_between(0, 2).unwrap();
+        let before = t.quads.clone();
+        t.flip(cut);
+        assert_eq!(faces(&t), [[0, 1, 3], [1, 2, 3]]);
+        for _ in 0..3 {
+            t.flip(cut);
+        }
+        assert_eq!(t.quads, before);
+    }
+
+    #[test]
+    fn removing_undoes_inserting_and_frees_what_it_used() {
+        let mut t = Topology::square();
+        let before = faces(&t);
+        for v in [4, 5, 4] {
+            let face = t.faces().next().unwrap();
+            t.insert(v, face);
+            assert_eq!((t.ring(v).count(), t.faces().count()), (3, 4));
+            t.remove(v);
+            assert_eq!(faces(&t), before);
+        }
+        assert_eq!((t.quad_count(), t.face_count()), (8, 5));
     }
 }

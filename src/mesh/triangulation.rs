@@ -170,7 +170,8 @@ impl Triangulation {
         }
     }
 
-    /// Flips an edge and suspects the sides of its quadrangle.
+    /// Flips an edge and suspects the sides of its quadrangle. The edge itself is a side of the next flip nearby,
+    /// or stays as it is.
     fn flip(&mut self, e: Quarter) {
         let t = &mut self.topology;
         self.suspects
@@ -201,7 +202,6 @@ impl Triangulation {
             let [w, p, n] = [spoke, t.oprev(spoke), next].map(|q| self.point(t.dest(q)));
             if orient2d(p, w, n) > 0 && orient2d(self.point(v), p, n) >= 0 {
                 self.flip(spoke);
-                self.suspects.push(spoke);
                 degree -= 1;
             }
             spoke = next;
@@ -232,8 +232,6 @@ impl Triangulation {
             self.flip(e);
             if crosses(a, b, l, r) {
                 crossing.push_back(e);
-            } else {
-                self.suspects.push(e);
             }
         }
         let made = self.topology.edge_between(v, w);
@@ -265,5 +263,82 @@ impl Triangulation {
                 t.lnext(e)
             };
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Points of a small lattice in a scrambled order: full of cocircular and collinear ones.
+    fn lattice() -> Vec<Point> {
+        (0..49)
+            .map(|i| i * 23 % 49)
+            .map(|i| Point::new(i % 7, i / 7))
+            .collect()
+    }
+
+    fn triangulated(points: &[Point]) -> Triangulation {
+        let mut t = Triangulation::new();
+        for (v, &p) in (4..).zip(points) {
+            t.insert(v, p);
+        }
+        t
+    }
+
+    fn triangles(t: &Triangulation) -> Vec<[Point; 3]> {
+        let corners = |f: u32| t.topology.sides(f).map(|e| t.point(t.topology.origin(e)));
+        let sorted = |mut c: [Point; 3]| {
+            c.sort();
+            c
+        };
+        let mut all: Vec<_> = t.topology.faces().map(corners).map(sorted).collect();
+        all.sort();
+        all
+    }
+
+    #[test]
+    fn no_circle_holds_a_vertex() {
+        let points: Vec<Point> = (0..60)
+            .map(|i| Point::new(i * 7919 % 101, i * i * 31 % 97))
+            .collect();
+        let t = triangulated(&points);
+        for f in t.topology.faces() {
+            let [a, b, c] = t.topology.sides(f).map(|e| t.point(t.topology.origin(e)));
+            let inside = |&&p: &&Point| in_circle(a, b, c, p) > 0;
+            assert_eq!(
+                points.iter().chain(&CORNERS).find(inside),
+                None,
+                "{a:?} {b:?} {c:?}"
+            );
+        }
+    }
+
+    #[test]
+    fn deleting_undoes_inserting_in_any_order() {
+        let points = lattice();
+        let mut t = triangulated(&points);
+        for v in 4 + 9..4 + points.len() as u32 {
+            t.delete(v);
+            t.legalise();
+        }
+        assert_eq!(triangles(&t), triangles(&triangulated(&points[..9])));
+    }
+
+    #[test]
+    fn an_enforced_edge_stays_until_it_is_released() {
+        let points = lattice();
+        let mut t = triangulated(&points);
+        let before = triangles(&t);
+        let id = |p: Point| 4 + points.iter().position(|&q| q == p).unwrap() as u32;
+        let (v, w) = (id(Point::new(0, 1)), id(Point::new(6, 2)));
+        let e = t.enforce(v, w);
+        t.fix(e);
+        t.legalise();
+        let e = t.topology.edge_between(v, w).expect("it is fixed");
+        assert_ne!(triangles(&t), before);
+        t.release(e);
+        t.legalise();
+        assert_eq!(triangles(&t), before);
     }
 }

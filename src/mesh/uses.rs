@@ -99,3 +99,41 @@ impl Uses {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geom::{Point, Source};
+
+    #[test]
+    fn uses_are_listed_by_feature_whatever_the_order_of_arrival() {
+        let (a, b) = (Point::new(0, 0), Point::new(1, 0));
+        let source = Source::Edge { edge: 0 };
+        let segment = |feature| Segment {
+            a,
+            b,
+            feature,
+            source,
+        };
+        let segments = [7, 3, 5].map(segment);
+        let ids = |uses: &Uses, e| {
+            uses.of(e)
+                .map(|u| (u.segment.0, u.forward))
+                .collect::<Vec<_>>()
+        };
+        for order in [[0, 1, 2], [2, 1, 0], [1, 0, 2]] {
+            let mut uses = Uses::default();
+            for s in order {
+                // The one of feature 3 runs against the others.
+                uses.add(if s == 1 { 10 } else { 8 }, SegmentId(s), &segments);
+            }
+            assert_eq!(ids(&uses, 8), [(1, false), (2, true), (0, true)]);
+            assert_eq!(ids(&uses, 10), [(1, true), (2, false), (0, false)]);
+            uses.remove(8, SegmentId(2));
+            assert_eq!(ids(&uses, 8), [(1, false), (0, true)]);
+            uses.remove(8, SegmentId(1));
+            uses.remove(10, SegmentId(0));
+            assert!(uses.is_empty(8) && uses.is_empty(400));
+        }
+    }
+}

@@ -1,4 +1,5 @@
 //! What the mesh tests share.
 
 pub mod slow;
+pub mod soups;
 pub mod worlds;
