@@ -18,6 +18,8 @@ const PUFF: f64 = 0.7;
 /// Speeds into the ground, in m/s, up to which nothing is stirred up, and from which a puff is as large as it gets.
 const GENTLE: f64 = 4.0;
 const HARD: f64 = 20.0;
+/// Seconds after which a puff that was not seen to begin is left out.
+const LATE: f64 = 0.06;
 
 /// The buffers.
 pub struct Air {
@@ -44,12 +46,12 @@ impl Puff {
             true => (view.landed_at, view.landed_speed),
             false => (view.left_at, 0.5 * view.velocity.y),
         };
-        // Seen a little later than it happened: go back along the way.
-        let way = view.velocity.as_vec2().extend(0.0) * (view.time - time).clamp(0.0, 0.1) as f32;
-        let strength = if speed > GENTLE {
-            (speed / HARD).min(1.0) as f32
-        } else {
-            0.0
+        // Seen a little later than it happened: go back along the way. Seen much later, nobody knows where it was.
+        let age = view.time - time;
+        let way = view.velocity.as_vec2().extend(0.0) * age as f32;
+        let strength = match speed > GENTLE && age < LATE {
+            true => (speed / HARD).min(1.0) as f32,
+            false => 0.0,
         };
         Puff {
             time,

@@ -225,7 +225,7 @@ fn add_walls(facets: &Facets, rims: &Rims, model: &mut Model) {
                 place(b, pair[1]),
                 place(b, pair[0]),
             ];
-            let dim = |further: usize| 1.0 - 0.10 * (station + further).saturating_sub(1) as f32;
+            let dim = |further: usize| 1.0 - 0.17 * (station + further).saturating_sub(1) as f32;
             let shades =
                 [(a, 0), (a, 1), (b, 1), (b, 0)].map(|(v, further)| rims.open[v] * dim(further));
             add_wall_piece(corners, shades, &colours, model);
@@ -245,15 +245,11 @@ fn add_wall_piece(corners: [Vec3; 4], shades: [f32; 4], colours: &Palette, model
         let normal = (triangle[1] - triangle[0])
             .cross(triangle[2] - triangle[0])
             .normalize_or_zero();
-        let side = strata(
-            colours.side,
-            (triangle[0] + triangle[1] + triangle[2]) / 3.0,
-        );
-        model.facet(
-            triangle,
-            half.map(|i| shades[i]),
-            weathered(side, colours, normal),
-        );
+        let middle = (triangle[0] + triangle[1] + triangle[2]) / 3.0;
+        let surface = weathered(strata(colours.side, middle), colours, normal);
+        // What recedes turns dark and cool, so that nobody takes it for the ground that is walked on.
+        let receding = surface.towards(colours.deep, 0.6 * smooth(FLAT_BACK - 0.3, -7.0, middle.z));
+        model.facet(triangle, half.map(|i| shades[i]), receding);
     }
 }
 
