@@ -4,7 +4,7 @@
 //! alone, and is the same for the same level.
 
 use super::model::{Model, Paint, hash, paint};
-use glam::{Vec2, Vec3};
+use glam::{Vec2, Vec3, vec3};
 
 /// A row of cliffs: how far away, how tall above the water, how wide a step, and what they are made of.
 struct Row {
@@ -35,6 +35,9 @@ const ROWS: [Row; 3] = [
     },
 ];
 
+/// What grows on the benches, far away.
+const LEDGE: Paint = paint(0x8f9a86);
+
 /// Builds it for a level between two corners, over water of a height.
 pub fn build(min: Vec2, max: Vec2, water: f32) -> Model {
     let mut model = Model::default();
@@ -58,60 +61,42 @@ fn mesa(row: &Row, seed: Vec3, water: f32, model: &mut Model) {
     if chance(0) < 0.22 {
         return;
     }
-    let benches = 2 + (chance(1) * 3.0) as usize;
-    let height =
-        row.height * (0.35 + 0.65 * chance(2) * chance(3).sqrt()) * (0.6 + 0.8 * chance(4));
-    let mut half = Vec2::new(row.step * (0.55 + 0.45 * chance(5)), row.step * 0.8);
-    let centre = Vec3::new(
+    let benches = 2 + (chance(1) * 3.0) as u32;
+    let share = (0.35 + 0.65 * chance(2) * chance(3).sqrt()) * (0.6 + 0.8 * chance(4));
+    let height = row.height * share;
+    let (x, z) = (
         (seed.x + chance(6)) * row.step,
-        water - 6.0,
         row.depth - row.step * chance(7),
     );
+    let mut half = Vec2::new(row.step * (0.55 + 0.45 * chance(5)), row.step * 0.8);
+    let mut centre = vec3(x, water - 6.0, z);
     let mut ring = outline(centre, half, seed, 0);
     for bench in 0..benches {
-        let top = water
-            + height * (bench as f32 + 0.6 + 0.4 * hash(seed, 75 + bench as u32)) / benches as f32;
-        // Walls lean back and their brinks are broken.
-        let brink: Vec<Vec3> = (0..)
-            .zip(&ring)
-            .map(|(i, p)| weathered(centre, *p, top, hash(seed, 120 + 8 * bench as u32 + i)))
-            .collect();
+        let chance = |salt: u32| hash(seed, 70 + salt + 20 * bench);
+        let top = water + height * (bench as f32 + 0.6 + 0.4 * chance(0)) / benches as f32;
+        let brink = brink(centre, &ring, top, seed, bench);
         model.band(&ring, &brink, row.colour);
-        let ledge = row.colour.towards(paint(0x8f9a86), 0.45);
-        half *= 0.60 + 0.22 * hash(seed, 70 + bench as u32);
-        let shift = Vec3::new(
-            (hash(seed, 80 + bench as u32) - 0.5) * half.x * 0.7,
-            0.0,
-            -half.y * 0.2,
-        );
-        let next = outline(
-            Vec3::new(centre.x, top, centre.z) + shift,
-            half,
-            seed,
-            bench as u32 + 1,
-        );
-        model.band(&brink, &next, ledge);
+        half *= 0.60 + 0.22 * chance(1);
+        centre = vec3(x + (chance(2) - 0.5) * half.x * 0.7, top, z - half.y * 0.2);
+        let next = outline(centre, half, seed, bench + 1);
+        model.band(&brink, &next, row.colour.towards(LEDGE, 0.45));
         ring = next;
     }
-    let peak = ring.iter().sum::<Vec3>() / ring.len() as f32 + Vec3::Y * height * 0.12;
-    for i in 0..ring.len() {
-        model.facet(
-            [ring[i], ring[(i + 1) % ring.len()], peak],
-            [1.0; 3],
-            row.colour,
-        );
+    let peak = centre + Vec3::Y * height * 0.12;
+    for (i, &corner) in ring.iter().enumerate() {
+        let triangle = [corner, ring[(i + 1) % ring.len()], peak];
+        model.facet(triangle, [1.0; 3], row.colour);
     }
 }
 
-/// A corner of a wall's brink above its foot.
-fn weathered(centre: Vec3, foot: Vec3, top: f32, chance: f32) -> Vec3 {
-    let inward = (centre - foot).with_y(0.0) * (0.06 + 0.12 * chance);
-    let rise = top - foot.y;
-    Vec3::new(
-        foot.x + inward.x,
-        foot.y + rise * (0.80 + 0.35 * chance),
-        foot.z + inward.z,
-    )
+/// The upper end of a wall: it leans back, and its corners are broken off at different heights.
+fn brink(centre: Vec3, foot: &[Vec3], top: f32, seed: Vec3, bench: u32) -> Vec<Vec3> {
+    let corner = |(i, foot): (u32, &Vec3)| {
+        let chance = hash(seed, 200 + 8 * bench + i);
+        let inward = (centre - *foot).with_y(0.0) * (0.06 + 0.12 * chance);
+        *foot + inward + Vec3::Y * (top - foot.y) * (0.80 + 0.35 * chance)
+    };
+    (0..).zip(foot).map(corner).collect()
 }
 
 /// A rough seven-sided outline, counter-clockwise seen from above.

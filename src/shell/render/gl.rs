@@ -92,32 +92,33 @@ impl Gl {
         fragment: &str,
         blocks: &[&str],
     ) -> Result<Program, CompileError> {
+        let gl = &self.ctx;
         let linking = |log| CompileError { stage: None, log };
         // SAFETY: only names made here are used, and each is deleted once (the program by its Drop).
         unsafe {
             let vertex = self.shader(glow::VERTEX_SHADER, Stage::Vertex, vertex)?;
             let fragment = self
                 .shader(glow::FRAGMENT_SHADER, Stage::Fragment, fragment)
-                .inspect_err(|_| self.ctx.delete_shader(vertex))?;
-            let raw = self.ctx.create_program().map_err(linking)?;
+                .inspect_err(|_| gl.delete_shader(vertex))?;
+            let raw = gl.create_program().map_err(linking)?;
             let program = Program {
                 ctx: self.ctx.clone(),
                 raw,
             };
             for shader in [vertex, fragment] {
-                self.ctx.attach_shader(raw, shader);
+                gl.attach_shader(raw, shader);
             }
-            self.ctx.link_program(raw);
+            gl.link_program(raw);
             for shader in [vertex, fragment] {
-                self.ctx.detach_shader(raw, shader);
-                self.ctx.delete_shader(shader);
+                gl.detach_shader(raw, shader);
+                gl.delete_shader(shader);
             }
-            if !self.ctx.get_program_link_status(raw) {
-                return Err(linking(self.ctx.get_program_info_log(raw)));
+            if !gl.get_program_link_status(raw) {
+                return Err(linking(gl.get_program_info_log(raw)));
             }
             for (point, name) in blocks.iter().enumerate() {
-                if let Some(index) = self.ctx.get_uniform_block_index(raw, name) {
-                    self.ctx.uniform_block_binding(raw, index, point as u32);
+                if let Some(index) = gl.get_uniform_block_index(raw, name) {
+                    gl.uniform_block_binding(raw, index, point as u32);
                 }
             }
             Ok(program)
@@ -126,47 +127,46 @@ impl Gl {
 
     /// Compiles one stage.
     fn shader(&self, kind: u32, stage: Stage, source: &str) -> Result<glow::Shader, CompileError> {
+        let gl = &self.ctx;
         let failed = |log| CompileError {
             stage: Some(stage),
             log,
         };
         // SAFETY: the name is made here and deleted here or handed out.
         unsafe {
-            let shader = self.ctx.create_shader(kind).map_err(failed)?;
-            self.ctx.shader_source(shader, source);
-            self.ctx.compile_shader(shader);
-            if self.ctx.get_shader_compile_status(shader) {
+            let shader = gl.create_shader(kind).map_err(failed)?;
+            gl.shader_source(shader, source);
+            gl.compile_shader(shader);
+            if gl.get_shader_compile_status(shader) {
                 return Ok(shader);
             }
-            let log = self.ctx.get_shader_info_log(shader);
-            self.ctx.delete_shader(shader);
+            let log = gl.get_shader_info_log(shader);
+            gl.delete_shader(shader);
             Err(failed(log))
         }
     }
 
     /// Empty geometry; `per_instance` advances its attributes once per instance instead of once per vertex.
     pub fn geometry(&self, layout: &[Format], per_instance: bool) -> Result<Geometry, String> {
+        let gl = &self.ctx;
         let stride: i32 = layout.iter().map(|format| format.parts().3).sum();
         // SAFETY: offsets stay below the stride; the names belong to the Geometry, which deletes them.
         unsafe {
-            let array = self.ctx.create_vertex_array()?;
-            let buffer = self
-                .ctx
+            let array = gl.create_vertex_array()?;
+            let buffer = gl
                 .create_buffer()
-                .inspect_err(|_| self.ctx.delete_vertex_array(array))?;
-            self.ctx.bind_vertex_array(Some(array));
-            self.ctx.bind_buffer(glow::ARRAY_BUFFER, Some(buffer));
+                .inspect_err(|_| gl.delete_vertex_array(array))?;
+            gl.bind_vertex_array(Some(array));
+            gl.bind_buffer(glow::ARRAY_BUFFER, Some(buffer));
             let mut offset = 0;
             for (index, format) in (0..).zip(layout) {
                 let (components, kind, normalized, size) = format.parts();
-                self.ctx.enable_vertex_attrib_array(index);
-                self.ctx
-                    .vertex_attrib_pointer_f32(index, components, kind, normalized, stride, offset);
-                self.ctx
-                    .vertex_attrib_divisor(index, u32::from(per_instance));
+                gl.enable_vertex_attrib_array(index);
+                gl.vertex_attrib_pointer_f32(index, components, kind, normalized, stride, offset);
+                gl.vertex_attrib_divisor(index, u32::from(per_instance));
                 offset += size;
             }
-            self.ctx.bind_vertex_array(None);
+            gl.bind_vertex_array(None);
             Ok(Geometry {
                 ctx: self.ctx.clone(),
                 array,
@@ -180,14 +180,13 @@ impl Gl {
 
     /// A uniform block at a binding point.
     pub fn uniforms(&self, point: u32) -> Result<Uniforms, String> {
+        let gl = &self.ctx;
         // SAFETY: the buffer has BLOCK_BYTES bytes before anything reads it.
         unsafe {
-            let buffer = self.ctx.create_buffer()?;
-            self.ctx.bind_buffer(glow::UNIFORM_BUFFER, Some(buffer));
-            self.ctx
-                .buffer_data_size(glow::UNIFORM_BUFFER, BLOCK_BYTES as i32, glow::DYNAMIC_DRAW);
-            self.ctx
-                .bind_buffer_base(glow::UNIFORM_BUFFER, point, Some(buffer));
+            let buffer = gl.create_buffer()?;
+            gl.bind_buffer(glow::UNIFORM_BUFFER, Some(buffer));
+            gl.buffer_data_size(glow::UNIFORM_BUFFER, BLOCK_BYTES as i32, glow::DYNAMIC_DRAW);
+            gl.bind_buffer_base(glow::UNIFORM_BUFFER, point, Some(buffer));
             Ok(Uniforms {
                 ctx: self.ctx.clone(),
                 buffer,
@@ -197,64 +196,69 @@ impl Gl {
 
     /// A depth texture of `size` by `size` texels, read by comparison with linear filtering.
     pub fn depth_target(&self, size: u32) -> Result<DepthTarget, String> {
+        let gl = &self.ctx;
+        use glow::{DEPTH_ATTACHMENT, FRAMEBUFFER, FRAMEBUFFER_COMPLETE, NONE, TEXTURE_2D};
         let size = size as i32;
-        let parameters = [
-            (glow::TEXTURE_MIN_FILTER, glow::LINEAR),
-            (glow::TEXTURE_MAG_FILTER, glow::LINEAR),
-            (glow::TEXTURE_WRAP_S, glow::CLAMP_TO_EDGE),
-            (glow::TEXTURE_WRAP_T, glow::CLAMP_TO_EDGE),
-            (glow::TEXTURE_COMPARE_MODE, glow::COMPARE_REF_TO_TEXTURE),
-            (glow::TEXTURE_COMPARE_FUNC, glow::LEQUAL),
-        ];
         let bound = self.target();
-        // SAFETY: no client memory is passed; the names belong to the DepthTarget, which deletes them.
+        let texture = self.depth_texture(size)?;
+        // SAFETY: the names belong to the DepthTarget, which deletes them.
         let (target, status) = unsafe {
-            let texture = self.ctx.create_texture()?;
-            let framebuffer = self
-                .ctx
-                .create_framebuffer()
-                .inspect_err(|_| self.ctx.delete_texture(texture))?;
+            let framebuffer = gl.create_framebuffer();
+            let framebuffer = framebuffer.inspect_err(|_| gl.delete_texture(texture))?;
+            let ctx = self.ctx.clone();
             let target = DepthTarget {
-                ctx: self.ctx.clone(),
+                ctx,
                 texture,
                 framebuffer,
                 size,
             };
-            self.ctx.bind_texture(glow::TEXTURE_2D, Some(texture));
-            let (inner, outer) = (glow::DEPTH_COMPONENT24 as i32, glow::DEPTH_COMPONENT);
-            self.ctx.tex_image_2d(
-                glow::TEXTURE_2D,
+            gl.bind_framebuffer(FRAMEBUFFER, Some(framebuffer));
+            gl.framebuffer_texture_2d(FRAMEBUFFER, DEPTH_ATTACHMENT, TEXTURE_2D, Some(texture), 0);
+            gl.draw_buffer(NONE);
+            gl.read_buffer(NONE);
+            (target, gl.check_framebuffer_status(FRAMEBUFFER))
+        };
+        self.bind(bound);
+        match status {
+            FRAMEBUFFER_COMPLETE => Ok(target),
+            _ => Err(format!("framebuffer status {status:#x}")),
+        }
+    }
+
+    /// An empty depth texture for comparison.
+    fn depth_texture(&self, size: i32) -> Result<glow::Texture, String> {
+        let gl = &self.ctx;
+        use glow::{
+            CLAMP_TO_EDGE, COMPARE_REF_TO_TEXTURE, LEQUAL, LINEAR, TEXTURE_2D, UNSIGNED_INT,
+        };
+        let parameters = [
+            (glow::TEXTURE_MIN_FILTER, LINEAR),
+            (glow::TEXTURE_MAG_FILTER, LINEAR),
+            (glow::TEXTURE_WRAP_S, CLAMP_TO_EDGE),
+            (glow::TEXTURE_WRAP_T, CLAMP_TO_EDGE),
+            (glow::TEXTURE_COMPARE_MODE, COMPARE_REF_TO_TEXTURE),
+            (glow::TEXTURE_COMPARE_FUNC, LEQUAL),
+        ];
+        let (inner, outer) = (glow::DEPTH_COMPONENT24 as i32, glow::DEPTH_COMPONENT);
+        // SAFETY: no client memory is passed; the caller owns the name.
+        unsafe {
+            let texture = gl.create_texture()?;
+            gl.bind_texture(TEXTURE_2D, Some(texture));
+            gl.tex_image_2d(
+                TEXTURE_2D,
                 0,
                 inner,
                 size,
                 size,
                 0,
                 outer,
-                glow::UNSIGNED_INT,
+                UNSIGNED_INT,
                 None,
             );
             for (name, value) in parameters {
-                self.ctx
-                    .tex_parameter_i32(glow::TEXTURE_2D, name, value as i32);
+                gl.tex_parameter_i32(TEXTURE_2D, name, value as i32);
             }
-            self.ctx
-                .bind_framebuffer(glow::FRAMEBUFFER, Some(framebuffer));
-            self.ctx.framebuffer_texture_2d(
-                glow::FRAMEBUFFER,
-                glow::DEPTH_ATTACHMENT,
-                glow::TEXTURE_2D,
-                Some(texture),
-                0,
-            );
-            self.ctx.draw_buffer(glow::NONE);
-            self.ctx.read_buffer(glow::NONE);
-            (target, self.ctx.check_framebuffer_status(glow::FRAMEBUFFER))
-        };
-        self.bind(bound);
-        if status == glow::FRAMEBUFFER_COMPLETE {
-            Ok(target)
-        } else {
-            Err(format!("framebuffer status {status:#x}"))
+            Ok(texture)
         }
     }
 
@@ -275,6 +279,7 @@ impl Gl {
 
     /// Sets all state that the passes rely on, whatever others left behind.
     pub fn reset(&self) {
+        let gl = &self.ctx;
         use glow::{
             BLEND, FRAMEBUFFER_SRGB, POLYGON_OFFSET_FILL, PRIMITIVE_RESTART, SCISSOR_TEST,
             STENCIL_TEST,
@@ -289,30 +294,31 @@ impl Gl {
                 SCISSOR_TEST,
                 STENCIL_TEST,
             ] {
-                self.ctx.disable(switch);
+                gl.disable(switch);
             }
-            self.ctx.enable(glow::MULTISAMPLE);
-            self.ctx.polygon_mode(glow::FRONT_AND_BACK, glow::FILL);
-            self.ctx.color_mask(true, true, true, true);
-            self.ctx.front_face(glow::CCW);
-            self.ctx.cull_face(glow::BACK);
-            self.ctx.depth_func(glow::LEQUAL);
-            self.ctx.blend_equation(glow::FUNC_ADD);
-            self.ctx.blend_func(glow::ONE, glow::ONE_MINUS_SRC_ALPHA);
-            self.ctx.active_texture(glow::TEXTURE0);
-            self.ctx.bind_sampler(0, None);
+            gl.enable(glow::MULTISAMPLE);
+            gl.polygon_mode(glow::FRONT_AND_BACK, glow::FILL);
+            gl.color_mask(true, true, true, true);
+            gl.front_face(glow::CCW);
+            gl.cull_face(glow::BACK);
+            gl.depth_func(glow::LEQUAL);
+            gl.blend_equation(glow::FUNC_ADD);
+            gl.blend_func(glow::ONE, glow::ONE_MINUS_SRC_ALPHA);
+            gl.active_texture(glow::TEXTURE0);
+            gl.bind_sampler(0, None);
         }
     }
 
     /// How the next draws meet what is there.
     pub fn state(&self, depth: Depth, blend: Blend, cull: Cull) {
+        let gl = &self.ctx;
         let switch = |name, on| {
             // SAFETY: a switch of state.
             unsafe {
                 if on {
-                    self.ctx.enable(name)
+                    gl.enable(name)
                 } else {
-                    self.ctx.disable(name)
+                    gl.disable(name)
                 }
             }
         };
@@ -320,17 +326,18 @@ impl Gl {
         switch(glow::BLEND, blend == Blend::Over);
         switch(glow::CULL_FACE, cull == Cull::Back);
         // SAFETY: as above.
-        unsafe { self.ctx.depth_mask(depth == Depth::Write) }
+        unsafe { gl.depth_mask(depth == Depth::Write) }
     }
 
     /// Draws into this part of the target and clears its depth; its colour is left to the passes.
     pub fn viewport(&self, width: u32, height: u32) {
+        let gl = &self.ctx;
         let clamp = |side: u32| side.min(i32::MAX as u32) as i32;
         // SAFETY: OpenGL clamps the size to what it can do.
         unsafe {
-            self.ctx.viewport(0, 0, clamp(width), clamp(height));
-            self.ctx.depth_mask(true);
-            self.ctx.clear(glow::DEPTH_BUFFER_BIT);
+            gl.viewport(0, 0, clamp(width), clamp(height));
+            gl.depth_mask(true);
+            gl.clear(glow::DEPTH_BUFFER_BIT);
         }
     }
 
@@ -345,34 +352,31 @@ impl Gl {
 
     /// Draws triangles of per-vertex geometry; the range is cut to what there is.
     pub fn triangles(&self, program: &Program, geometry: &Geometry, range: Range<usize>) {
+        let gl = &self.ctx;
         let end = range.end.min(geometry.count);
         let count = end.saturating_sub(range.start);
         // SAFETY: the range lies within the uploaded vertices.
         unsafe {
-            self.ctx.use_program(Some(program.raw));
-            self.ctx.bind_vertex_array(Some(geometry.array));
-            self.ctx
-                .draw_arrays(glow::TRIANGLES, range.start as i32, count as i32);
+            gl.use_program(Some(program.raw));
+            gl.bind_vertex_array(Some(geometry.array));
+            gl.draw_arrays(glow::TRIANGLES, range.start as i32, count as i32);
         }
     }
 
     /// Draws all instances, each of `vertices` corners that the shader makes from `gl_VertexID`.
     pub fn instances(&self, program: &Program, geometry: &Geometry, vertices: u32) {
+        let gl = &self.ctx;
         // SAFETY: attributes advance per instance and there are `count` of them.
         unsafe {
-            self.ctx.use_program(Some(program.raw));
-            self.ctx.bind_vertex_array(Some(geometry.array));
-            self.ctx.draw_arrays_instanced(
-                glow::TRIANGLES,
-                0,
-                vertices as i32,
-                geometry.count as i32,
-            );
+            gl.use_program(Some(program.raw));
+            gl.bind_vertex_array(Some(geometry.array));
+            gl.draw_arrays_instanced(glow::TRIANGLES, 0, vertices as i32, geometry.count as i32);
         }
     }
 
     /// The lower left `width` by `height` pixels of the bound framebuffer: RGB, rows from the bottom up.
     pub fn read_pixels(&self, width: u32, height: u32) -> Vec<u8> {
+        let gl = &self.ctx;
         let row = width as usize * 3;
         let mut pixels = vec![0; row * height as usize];
         if pixels.is_empty() {
@@ -380,11 +384,11 @@ impl Gl {
         }
         // SAFETY: with a pack alignment of 1 exactly `row * height` bytes are written.
         unsafe {
-            self.ctx.bind_buffer(glow::PIXEL_PACK_BUFFER, None);
-            self.ctx.pixel_store_i32(glow::PACK_ALIGNMENT, 1);
-            self.ctx.pixel_store_i32(glow::PACK_ROW_LENGTH, 0);
+            gl.bind_buffer(glow::PIXEL_PACK_BUFFER, None);
+            gl.pixel_store_i32(glow::PACK_ALIGNMENT, 1);
+            gl.pixel_store_i32(glow::PACK_ROW_LENGTH, 0);
             let into = glow::PixelPackData::Slice(&mut pixels);
-            self.ctx.read_pixels(
+            gl.read_pixels(
                 0,
                 0,
                 width as i32,
@@ -401,21 +405,17 @@ impl Gl {
 impl Geometry {
     /// Replaces all vertices; the buffer grows when it must and never shrinks.
     pub fn upload(&mut self, words: &[u32]) {
+        let gl = &self.ctx;
         let data = bytes(words);
         self.count = data.len() / self.stride;
         // SAFETY: the sub-range that is written lies within the buffer, whose size is `capacity`.
         unsafe {
-            self.ctx.bind_buffer(glow::ARRAY_BUFFER, Some(self.buffer));
+            gl.bind_buffer(glow::ARRAY_BUFFER, Some(self.buffer));
             if data.len() > self.capacity {
                 self.capacity = data.len().next_power_of_two();
-                self.ctx.buffer_data_size(
-                    glow::ARRAY_BUFFER,
-                    self.capacity as i32,
-                    glow::DYNAMIC_DRAW,
-                );
+                gl.buffer_data_size(glow::ARRAY_BUFFER, self.capacity as i32, glow::DYNAMIC_DRAW);
             }
-            self.ctx
-                .buffer_sub_data_u8_slice(glow::ARRAY_BUFFER, 0, data);
+            gl.buffer_sub_data_u8_slice(glow::ARRAY_BUFFER, 0, data);
         }
     }
 }

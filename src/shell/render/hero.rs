@@ -5,7 +5,7 @@ use super::frame::PointLight;
 use super::model::{Model, Paint, paint};
 use crate::anim::hero::{ARM, BONE, CAPE, Memory, Moves, PARTS, Part, Pose, STRIP, Support};
 use crate::game::{Stance, View};
-use glam::{Mat4, Vec3};
+use glam::{Mat4, Vec3, vec3};
 
 const STEEL: Paint = paint(0xc9d2da).varied(0.10);
 const DARK: Paint = paint(0x39424f);
@@ -37,6 +37,7 @@ pub fn figure() -> Model {
     figure
 }
 
+/// A paint on a part of the figure.
 fn on(paint: Paint, part: Part) -> Paint {
     paint.on(FIRST_PART + part as u8)
 }
@@ -51,177 +52,104 @@ fn below(part: Part) -> Part {
     }
 }
 
+/// Skirt, belt, a breastplate that widens to the shoulders, a surcoat, and the collar of the cape.
 fn trunk(figure: &mut Model) {
-    let skirt = on(CLOTH, Part::Hips);
+    let (skirt, belt) = (on(CLOTH, Part::Hips), on(LEATHER, Part::Hips));
     figure.block(Vec3::Y * -0.16, (0.19, 0.22), (0.14, 0.17), 0.22, skirt);
-    figure.block(
-        Vec3::Y * 0.04,
-        (0.15, 0.18),
-        (0.15, 0.18),
-        0.07,
-        on(LEATHER, Part::Hips),
-    );
-    let (steel, cloth) = (on(STEEL, Part::Chest), on(CLOTH, Part::Chest));
+    figure.slab(Vec3::Y * 0.04, (0.15, 0.18), 0.07, belt);
+    let [steel, cloth, red] = [STEEL, CLOTH, RED].map(|paint| on(paint, Part::Chest));
     figure.block(Vec3::Y * 0.08, (0.13, 0.16), (0.18, 0.23), 0.30, steel);
     figure.block(Vec3::Y * 0.38, (0.18, 0.23), (0.10, 0.13), 0.13, steel);
-    figure.block(
-        Vec3::new(0.13, 0.1, 0.0),
-        (0.045, 0.07),
-        (0.06, 0.09),
-        0.30,
-        cloth,
-    );
-    figure.lathe(
-        Vec3::new(-0.02, 0.44, 0.0),
-        7,
-        &[(0.0, 0.21), (0.06, 0.19), (0.11, 0.11)],
-        on(RED, Part::Chest),
-    );
+    let chest = vec3(0.13, 0.1, 0.0);
+    figure.block(chest, (0.045, 0.07), (0.06, 0.09), 0.30, cloth);
+    let collar = [(0.0, 0.21), (0.06, 0.19), (0.11, 0.11)];
+    figure.lathe(vec3(-0.02, 0.44, 0.0), 7, &collar, red);
 }
 
+/// A great helm: a slit for eyes that glow a little, a brass ridge that parts the face, a crest that streams back.
 fn head(figure: &mut Model) {
-    let (steel, dark) = (on(STEEL, Part::Head), on(DARK, Part::Head));
-    figure.lathe(
-        Vec3::Y * 0.02,
-        8,
-        &[
-            (0.0, 0.145),
-            (0.10, 0.185),
-            (0.26, 0.18),
-            (0.36, 0.10),
-            (0.39, 0.0),
-        ],
-        steel,
-    );
-    // The slit for the eyes, and the ridge that parts the face.
-    figure.block(
-        Vec3::new(0.10, 0.17, 0.0),
-        (0.10, 0.135),
-        (0.10, 0.135),
-        0.055,
-        dark,
-    );
-    figure.block(
-        Vec3::new(0.165, 0.04, 0.0),
-        (0.035, 0.018),
-        (0.035, 0.018),
-        0.26,
-        on(BRASS, Part::Head),
-    );
-    for eye in [-0.06, 0.06] {
-        let glow = on(FLAME.glowing(0.8), Part::Head);
-        figure.block(
-            Vec3::new(0.17, 0.18, eye),
-            (0.036, 0.024),
-            (0.036, 0.024),
-            0.034,
-            glow,
-        );
+    let [steel, dark, brass, eyes, crest] =
+        [STEEL, DARK, BRASS, FLAME.glowing(0.8), RED].map(|paint| on(paint, Part::Head));
+    let bowl = [
+        (0.0, 0.145),
+        (0.10, 0.185),
+        (0.26, 0.18),
+        (0.36, 0.10),
+        (0.39, 0.0),
+    ];
+    figure.lathe(Vec3::Y * 0.02, 8, &bowl, steel);
+    figure.slab(vec3(0.10, 0.17, 0.0), (0.10, 0.135), 0.055, dark);
+    figure.slab(vec3(0.165, 0.04, 0.0), (0.035, 0.018), 0.26, brass);
+    for side in [-0.06, 0.06] {
+        figure.slab(vec3(0.17, 0.18, side), (0.036, 0.024), 0.034, eyes);
     }
-    // A crest that streams back.
-    let crest = on(RED, Part::Head);
-    figure.beam(
-        Vec3::new(0.06, 0.39, 0.0),
-        Vec3::new(-0.12, 0.42, 0.0),
-        0.035,
-        crest,
+    let (brow, crown, nape) = (
+        vec3(0.06, 0.39, 0.0),
+        vec3(-0.12, 0.42, 0.0),
+        vec3(-0.30, 0.33, 0.0),
     );
-    figure.beam(
-        Vec3::new(-0.10, 0.42, 0.0),
-        Vec3::new(-0.30, 0.33, 0.0),
-        0.028,
-        crest,
-    );
+    figure.beam(brow, crown, 0.035, crest);
+    figure.beam(crown + Vec3::X * 0.02, nape, 0.028, crest);
 }
 
+/// A thigh in dark cloth; a greave with its knee, and a boot that points forward.
 fn leg(thigh: Part, figure: &mut Model) {
     let shin = below(thigh);
-    figure.block(
-        Vec3::Y * -BONE,
-        (0.07, 0.07),
-        (0.095, 0.09),
-        BONE + 0.03,
-        on(DARK, thigh),
-    );
-    figure.block(
-        Vec3::Y * (0.07 - BONE),
-        (0.065, 0.07),
-        (0.085, 0.085),
-        BONE - 0.04,
-        on(STEEL, shin),
-    );
-    figure.block(
-        Vec3::new(0.01, -0.05, 0.0),
-        (0.085, 0.085),
-        (0.07, 0.07),
-        0.10,
-        on(STEEL, shin),
-    );
-    figure.block(
-        Vec3::new(0.05, -BONE, 0.0),
-        (0.14, 0.085),
-        (0.08, 0.07),
-        0.10,
-        on(LEATHER, shin),
-    );
+    let (cloth, steel, boot) = (on(DARK, thigh), on(STEEL, shin), on(LEATHER, shin));
+    let (foot, ankle) = (Vec3::Y * -BONE, Vec3::Y * (0.07 - BONE));
+    figure.block(foot, (0.07, 0.07), (0.095, 0.09), BONE + 0.03, cloth);
+    figure.block(ankle, (0.065, 0.07), (0.085, 0.085), BONE - 0.04, steel);
+    let knee = vec3(0.01, -0.05, 0.0);
+    figure.block(knee, (0.085, 0.085), (0.07, 0.07), 0.10, steel);
+    let toes = foot + Vec3::X * 0.05;
+    figure.block(toes, (0.14, 0.085), (0.08, 0.07), 0.10, boot);
 }
 
+/// A round shoulder plate, a sleeve, a bracer and a fist.
 fn arm(upper: Part, figure: &mut Model) {
     let lower = below(upper);
-    figure.lathe(
-        Vec3::Y * -0.10,
-        6,
-        &[(0.0, 0.13), (0.09, 0.14), (0.17, 0.06)],
-        on(STEEL, upper),
+    let plate = [(0.0, 0.13), (0.09, 0.14), (0.17, 0.06)];
+    figure.lathe(Vec3::Y * -0.10, 6, &plate, on(STEEL, upper));
+    let (elbow, wrist, fist) = (
+        Vec3::Y * -ARM,
+        Vec3::Y * (0.05 - ARM),
+        Vec3::Y * (-0.04 - ARM),
     );
     figure.block(
-        Vec3::Y * -ARM,
+        elbow,
         (0.05, 0.05),
         (0.06, 0.06),
         ARM - 0.05,
         on(DARK, upper),
     );
     figure.block(
-        Vec3::Y * (0.05 - ARM),
+        wrist,
         (0.06, 0.06),
         (0.07, 0.07),
         ARM - 0.05,
         on(STEEL, lower),
     );
-    figure.block(
-        Vec3::Y * (-0.04 - ARM),
-        (0.055, 0.055),
-        (0.055, 0.055),
-        0.10,
-        on(LEATHER, lower),
-    );
+    figure.slab(fist, (0.055, 0.055), 0.10, on(LEATHER, lower));
 }
 
+/// Grip, guard and a short blade, held forward and down.
 fn sword(figure: &mut Model) {
-    let (hand, part) = (Vec3::Y * -ARM, Part::ForearmRight);
-    let along = Vec3::new(0.80, -0.6, 0.0).normalize();
-    figure.beam(
-        hand - along * 0.12,
-        hand + along * 0.06,
-        0.022,
-        on(LEATHER, part),
-    );
-    let across = Vec3::new(along.y, -along.x, 0.0) * 0.10;
-    let guard = hand + along * 0.07;
-    figure.beam(guard - across, guard + across, 0.022, on(BRASS, part));
-    figure.beam(guard, guard + along * 0.50, 0.026, on(STEEL, part));
+    let [leather, brass, steel] =
+        [LEATHER, BRASS, STEEL].map(|paint| on(paint, Part::ForearmRight));
+    let (hand, along) = (Vec3::Y * -ARM, vec3(0.8, -0.6, 0.0));
+    let (guard, across) = (hand + along * 0.07, vec3(-0.06, -0.08, 0.0));
+    figure.beam(hand - along * 0.12, guard, 0.022, leather);
+    figure.beam(guard - across, guard + across, 0.022, brass);
+    figure.beam(guard, guard + along * 0.50, 0.026, steel);
 }
 
+/// A ring, a hood, the flame behind glass, a foot.
 fn lantern(figure: &mut Model) {
-    let (brass, flame) = (on(BRASS, Part::Lantern), on(FLAME, Part::Lantern));
+    let [brass, flame] = [BRASS, FLAME].map(|paint| on(paint, Part::Lantern));
+    let glass = [(0.0, 0.055), (0.07, 0.075), (0.13, 0.055)];
     figure.beam(Vec3::ZERO, Vec3::Y * -0.07, 0.012, brass);
     figure.lathe(Vec3::Y * -0.12, 6, &[(0.0, 0.085), (0.06, 0.0)], brass);
-    figure.lathe(
-        Vec3::Y * -0.25,
-        6,
-        &[(0.0, 0.055), (0.07, 0.075), (0.13, 0.055)],
-        flame,
-    );
+    figure.lathe(Vec3::Y * -0.25, 6, &glass, flame);
     figure.lathe(Vec3::Y * -0.29, 6, &[(0.0, 0.06), (0.04, 0.08)], brass);
 }
 

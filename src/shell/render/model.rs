@@ -171,6 +171,11 @@ impl Model {
         self.cap(&[lower[3], lower[2], lower[1], lower[0]], paint);
     }
 
+    /// A box on a foot: half its width and depth, and its height.
+    pub fn slab(&mut self, foot: Vec3, half: (f32, f32), height: f32, paint: Paint) {
+        self.block(foot, half, half, height, paint);
+    }
+
     /// A square beam from one point to another.
     pub fn beam(&mut self, from: Vec3, to: Vec3, half: f32, paint: Paint) {
         let Some(along) = (to - from).try_normalize() else {

@@ -4,7 +4,7 @@ use super::frame::PointLight;
 use super::model::{Model, Paint, hash, paint};
 use super::terrain;
 use crate::level::{Level, Scenery, SceneryKind};
-use glam::{Mat4, Vec3};
+use glam::{Mat4, Vec3, vec3};
 use std::f32::consts::TAU;
 
 const STONE: Paint = paint(0x8d8a8e).varied(0.10);
@@ -16,6 +16,7 @@ const FLAME: Paint = paint(0xffcf73).glowing(1.0);
 const WINDOW: Paint = paint(0xffb45a).glowing(0.75);
 const LEAF: Paint = paint(0x6f8f5a).varied(0.22);
 const CLOTH: Paint = paint(0xa8332e).varied(0.10);
+const TILES: Paint = paint(0x5c4a55);
 const LODESTONE: Paint = paint(0x7ff0e0).glowing(0.9);
 
 /// Builds all scenery of a level, the gate at its goal and the camp at its start, with their lamps.
@@ -86,63 +87,43 @@ fn model(kind: SceneryKind, foot: Vec3) -> Model {
 /// A crooked post, 2.4 m tall, with a lamp on a hook.
 fn lantern(model: &mut Model) {
     model.block(Vec3::Y * -0.3, (0.22, 0.22), (0.16, 0.16), 0.5, STONE);
-    model.beam(Vec3::Y * 0.1, Vec3::new(-0.04, 1.4, 0.0), 0.06, WOOD);
-    model.beam(
-        Vec3::new(-0.04, 1.36, 0.0),
-        Vec3::new(0.03, 2.45, 0.0),
-        0.05,
-        WOOD,
+    let (waist, top, hook) = (
+        vec3(-0.04, 1.4, 0.0),
+        vec3(0.03, 2.45, 0.0),
+        vec3(0.42, 2.42, 0.0),
     );
-    model.beam(
-        Vec3::new(-0.15, 2.36, 0.0),
-        Vec3::new(0.5, 2.42, 0.0),
-        0.035,
-        WOOD,
-    );
-    model.beam(
-        Vec3::new(-0.02, 2.05, 0.0),
-        Vec3::new(0.26, 2.38, 0.0),
-        0.025,
-        WOOD,
-    );
-    let lamp = Vec3::new(0.42, 1.98, 0.0);
-    model.beam(lamp + Vec3::Y * 0.42, lamp + Vec3::Y * 0.26, 0.012, IRON);
+    model.beam(Vec3::Y * 0.1, waist, 0.06, WOOD);
+    model.beam(waist - Vec3::Y * 0.04, top, 0.05, WOOD);
+    model.beam(vec3(-0.15, 2.36, 0.0), hook + Vec3::X * 0.08, 0.035, WOOD);
+    model.beam(vec3(-0.02, 2.05, 0.0), vec3(0.26, 2.38, 0.0), 0.025, WOOD);
+    // The lamp hangs 0.44 m below the hook: chain, hood, flame, foot.
+    let lamp = hook - Vec3::Y * 0.44;
+    let glass = [(0.0, 0.10), (0.14, 0.145), (0.29, 0.11)];
+    model.beam(hook, lamp + Vec3::Y * 0.26, 0.012, IRON);
     model.lathe(lamp + Vec3::Y * 0.17, 6, &[(0.0, 0.19), (0.12, 0.0)], IRON);
-    model.lathe(
-        lamp + Vec3::Y * -0.12,
-        6,
-        &[(0.0, 0.10), (0.14, 0.145), (0.29, 0.11)],
-        FLAME,
-    );
-    model.lathe(
-        lamp + Vec3::Y * -0.18,
-        6,
-        &[(0.0, 0.09), (0.06, 0.15)],
-        IRON,
-    );
+    model.lathe(lamp - Vec3::Y * 0.12, 6, &glass, FLAME);
+    model.lathe(lamp - Vec3::Y * 0.18, 6, &[(0.0, 0.09), (0.06, 0.15)], IRON);
 }
 
 /// A column of drums, 5 m tall: whole with a capital, or broken.
 fn pillar(foot: Vec3, model: &mut Model) {
-    let broken = hash(foot, 21) < 0.45;
+    let chance = |salt: u32| hash(foot, salt);
+    let broken = chance(21) < 0.45;
     let drums = if broken {
-        2 + (hash(foot, 22) * 2.0) as usize
+        2 + (chance(22) * 2.0) as u32
     } else {
         4
     };
     model.block(Vec3::Y * -0.8, (0.75, 0.75), (0.72, 0.72), 1.1, STONE);
     for drum in 0..drums {
         let (height, radius) = (0.3 + 1.05 * drum as f32, 0.52 - 0.025 * drum as f32);
-        let shift = Vec3::new(
-            hash(foot, 23 + drum as u32) - 0.5,
-            0.0,
-            hash(foot, 33 + drum as u32) - 0.5,
-        ) * 0.10;
+        let shift = vec3(chance(23 + drum) - 0.5, 0.0, chance(33 + drum) - 0.5) * 0.10;
+        let [joint, body] = [radius - 0.05, radius];
         let profile = [
-            (0.0, radius - 0.04),
-            (0.08, radius),
-            (0.97, radius - 0.02),
-            (1.05, radius - 0.06),
+            (0.0, joint),
+            (0.08, body),
+            (0.97, body - 0.02),
+            (1.05, joint),
         ];
         model.lathe(Vec3::Y * height + shift, 9, &profile, PALE);
     }
@@ -151,50 +132,52 @@ fn pillar(foot: Vec3, model: &mut Model) {
         model.lathe(top, 5, &[(0.0, 0.40), (0.22, 0.28), (0.45, 0.0)], PALE);
     } else {
         model.block(top, (0.45, 0.45), (0.68, 0.68), 0.30, STONE);
-        model.block(top + Vec3::Y * 0.30, (0.78, 0.78), (0.78, 0.78), 0.26, PALE);
+        model.slab(top + Vec3::Y * 0.30, (0.78, 0.78), 0.26, PALE);
     }
 }
 
-/// A square tower, 14 m tall over a foot that goes down 10 m more, with lit windows and a roof or a broken crown.
+/// A square tower, 14 m tall over a foot that goes down 10 m more: shaft, gallery, upper floor, and a roof or a ruin.
 fn tower(foot: Vec3, model: &mut Model) {
     model.block(Vec3::Y * -10.0, (2.9, 2.9), (2.5, 2.5), 12.0, STONE);
     model.block(Vec3::Y * 2.0, (2.3, 2.3), (1.95, 1.95), 8.5, STONE);
-    model.block(Vec3::Y * 10.5, (2.45, 2.45), (2.45, 2.45), 0.7, PALE);
+    model.slab(Vec3::Y * 10.5, (2.45, 2.45), 0.7, PALE);
     model.block(Vec3::Y * 11.2, (1.9, 1.9), (1.8, 1.8), 2.4, STONE);
-    if hash(foot, 24) < 0.5 {
-        model.lathe(
-            Vec3::Y * 13.6,
-            4,
-            &[(0.0, 3.0), (0.25, 3.1), (4.2, 0.0)],
-            paint(0x5c4a55),
-        );
-    } else {
-        for (i, x) in [-1.5, -0.3, 0.9].into_iter().enumerate() {
-            let height = 0.5 + 1.4 * hash(foot, 25 + i as u32);
-            model.block(
-                Vec3::new(x + 0.3, 13.6, 1.4),
-                (0.45, 0.35),
-                (0.4, 0.3),
-                height,
-                STONE,
-            );
-            model.block(
-                Vec3::new(-1.4, 13.6, x),
-                (0.35, 0.45),
-                (0.3, 0.4),
-                height * 0.8,
-                STONE,
-            );
-        }
+    let roofed = hash(foot, 24) < 0.5;
+    if roofed {
+        let tent = [(0.0, 3.0), (0.25, 3.1), (4.2, 0.0)];
+        model.lathe(Vec3::Y * 13.6, 4, &tent, TILES);
     }
-    for (i, at) in [(-0.7, 4.2), (0.6, 6.4), (-0.5, 8.6), (0.4, 12.2)]
-        .into_iter()
-        .enumerate()
-    {
-        if hash(foot, 40 + i as u32) < 0.65 {
-            let wall = 2.32 - 0.041 * at.1 + if at.1 > 11.0 { 0.06 } else { 0.14 };
+    for (along, salt) in [(-1.2, 25), (0.0, 26), (1.2, 27)] {
+        let height = if roofed {
+            0.0
+        } else {
+            0.5 + 1.4 * hash(foot, salt)
+        };
+        model.block(
+            vec3(along, 13.6, 1.4),
+            (0.45, 0.35),
+            (0.4, 0.3),
+            height,
+            STONE,
+        );
+        model.block(
+            vec3(-1.4, 13.6, along - 0.3),
+            (0.35, 0.45),
+            (0.3, 0.4),
+            height * 0.8,
+            STONE,
+        );
+    }
+    // Somebody lives there: a few windows are lit. The wall they sit in leans back with the height.
+    for (x, y, wall, salt) in [
+        (-0.7, 4.2, 2.23, 40),
+        (0.6, 6.4, 2.14, 41),
+        (-0.5, 8.6, 2.05, 42),
+        (0.4, 12.0, 1.88, 43),
+    ] {
+        if hash(foot, salt) < 0.7 {
             model.block(
-                Vec3::new(at.0, at.1, wall - 0.12),
+                vec3(x, y, wall - 0.03),
                 (0.24, 0.05),
                 (0.20, 0.05),
                 0.85,
@@ -204,72 +187,32 @@ fn tower(foot: Vec3, model: &mut Model) {
     }
 }
 
-/// A treadwheel crane of the quarry, 7 m tall, its jib to the right.
+/// A crane of the quarry, 7 m tall, its jib to the right: two trestles, the jib, ropes, a counterweight and a block.
 fn crane(model: &mut Model) {
-    for z in [-0.9, 0.9] {
+    let (mast, tip, tail) = (
+        vec3(0.0, 7.1, 0.0),
+        vec3(4.5, 7.3, 0.0),
+        vec3(-2.5, 4.2, 0.0),
+    );
+    for side in [-0.9, 0.9] {
+        let apex = vec3(0.0, 5.2, side * 0.25);
+        model.beam(vec3(-1.3, -0.6, side), apex, 0.16, WOOD);
+        model.beam(vec3(1.3, -0.6, side), apex, 0.16, WOOD);
         model.beam(
-            Vec3::new(-1.3, -0.6, z),
-            Vec3::new(0.0, 5.2, z * 0.25),
-            0.16,
-            WOOD,
-        );
-        model.beam(
-            Vec3::new(1.3, -0.6, z),
-            Vec3::new(0.0, 5.2, z * 0.25),
-            0.16,
-            WOOD,
-        );
-        model.beam(
-            Vec3::new(-0.85, 1.4, z * 0.8),
-            Vec3::new(0.85, 1.4, z * 0.8),
+            vec3(-0.85, 1.4, side * 0.8),
+            vec3(0.85, 1.4, side * 0.8),
             0.11,
             WOOD,
         );
     }
-    model.beam(
-        Vec3::new(-2.6, 4.2, 0.0),
-        Vec3::new(4.6, 7.4, 0.0),
-        0.17,
-        WOOD,
-    );
-    model.beam(
-        Vec3::new(0.0, 5.0, 0.0),
-        Vec3::new(0.0, 7.2, 0.0),
-        0.13,
-        WOOD,
-    );
-    model.beam(
-        Vec3::new(0.0, 7.1, 0.0),
-        Vec3::new(4.3, 7.25, 0.0),
-        0.035,
-        ROPE,
-    );
-    model.beam(
-        Vec3::new(0.0, 7.1, 0.0),
-        Vec3::new(-2.4, 4.3, 0.0),
-        0.035,
-        ROPE,
-    );
-    model.block(
-        Vec3::new(-2.5, 3.1, 0.0),
-        (0.55, 0.55),
-        (0.6, 0.6),
-        1.0,
-        STONE,
-    );
-    model.beam(
-        Vec3::new(4.5, 7.3, 0.0),
-        Vec3::new(4.5, 3.6, 0.0),
-        0.03,
-        ROPE,
-    );
-    model.block(Vec3::new(4.5, 2.5, 0.0), (0.6, 0.5), (0.6, 0.5), 0.9, PALE);
-    model.beam(
-        Vec3::new(4.5, 3.4, 0.0),
-        Vec3::new(4.5, 3.65, 0.0),
-        0.10,
-        IRON,
-    );
+    model.beam(tail, tip, 0.17, WOOD);
+    model.beam(Vec3::Y * 5.0, mast, 0.13, WOOD);
+    model.beam(mast, tip, 0.035, ROPE);
+    model.beam(mast, tail, 0.035, ROPE);
+    model.block(tail - Vec3::Y * 1.1, (0.55, 0.55), (0.6, 0.6), 1.0, STONE);
+    model.beam(tip, tip - Vec3::Y * 3.7, 0.03, ROPE);
+    model.beam(tip - Vec3::Y * 3.9, tip - Vec3::Y * 3.65, 0.10, IRON);
+    model.slab(tip - Vec3::Y * 4.8, (0.6, 0.5), 0.9, PALE);
 }
 
 /// A tuft: pointed blades that lean outwards and move in the wind.
