@@ -123,7 +123,8 @@ impl App {
             let now = Instant::now();
             self.frame(now - last)?;
             last = now;
-            let wait = limiter.wait(now.elapsed(), self.frame_time());
+            let (shown, wanted) = (self.platform.frame_time(), self.frame_time());
+            let wait = limiter.wait(now.elapsed(), shown, wanted);
             if !wait.is_zero() {
                 std::thread::sleep(wait);
             }

@@ -43,6 +43,8 @@ impl TickClock {
 
 /// Frames in a row that must come too early before vsync counts as not holding.
 const EARLY_FRAMES: u32 = 20;
+/// Share of the display's time per frame below which a frame comes too early.
+const EARLY: f64 = 0.7;
 
 /// Keeps the frame rate down where vsync does not.
 #[derive(Clone, Debug)]
@@ -57,11 +59,13 @@ impl FrameLimiter {
         FrameLimiter { vsync, early: 0 }
     }
 
-    /// How long to wait after a frame that took `spent`, when frames should come once per `wanted`.
-    pub fn wait(&mut self, spent: Duration, wanted: Duration) -> Duration {
-        if self.vsync && self.early < EARLY_FRAMES {
-            let is_early = spent < wanted.mul_f64(0.7);
-            self.early = if is_early { self.early + 1 } else { 0 };
+    /// How long to wait after a frame that took `spent` with its wait for the display, which shows one per `shown`,
+    /// when one per `wanted` is enough.
+    pub fn wait(&mut self, spent: Duration, shown: Duration, wanted: Duration) -> Duration {
+        let is_early = spent < shown.mul_f64(EARLY);
+        self.early = if is_early { self.early + 1 } else { 0 };
+        self.vsync &= self.early < EARLY_FRAMES;
+        if self.vsync && wanted <= shown {
             return Duration::ZERO;
         }
         wanted.saturating_sub(spent)
@@ -106,13 +110,19 @@ mod tests {
     fn a_vsync_that_does_not_hold_is_replaced() {
         let (frame, fast) = (Duration::from_millis(16), Duration::from_millis(1));
         let mut held = FrameLimiter::new(true);
-        assert!((0..1000).all(|_| held.wait(frame, frame).is_zero()));
+        assert!((0..1000).all(|_| held.wait(frame, frame, frame).is_zero()));
         let mut broken = FrameLimiter::new(true);
-        let waits: Vec<Duration> = (0..30).map(|_| broken.wait(fast, frame)).collect();
+        let waits: Vec<Duration> = (0..30).map(|_| broken.wait(fast, frame, frame)).collect();
         assert!(waits[0].is_zero() && waits[29] == Duration::from_millis(15));
-        assert_eq!(
-            FrameLimiter::new(false).wait(fast, frame),
-            Duration::from_millis(15)
-        );
+        let mut none = FrameLimiter::new(false);
+        assert_eq!(none.wait(fast, frame, frame), Duration::from_millis(15));
+    }
+
+    #[test]
+    fn a_window_that_nobody_looks_at_is_slowed_down_without_doubting_its_vsync() {
+        let (frame, idle) = (Duration::from_millis(16), Duration::from_millis(33));
+        let mut limiter = FrameLimiter::new(true);
+        assert!((0..100).all(|_| limiter.wait(frame, frame, idle) == idle - frame));
+        assert!(limiter.wait(frame, frame, frame).is_zero());
     }
 }

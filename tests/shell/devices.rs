@@ -1,0 +1,114 @@
+//! Keys, controllers, focus and time.
+
+use super::hands::{FLAT, frames, key, open, options, tap};
+use super::virtual_pad::VirtualPad;
+use edgewalker::game::{Input, Stance};
+use edgewalker::shell::edits::Edit;
+use sdl2::event::{Event, WindowEvent};
+use sdl2::keyboard::Scancode;
+use std::path::Path;
+use std::time::Duration;
+
+pub fn keys_move_the_hero(_: &Path) {
+    let mut app = open(&options(FLAT));
+    frames(&mut app, 10);
+    let start = app.play.world.view().position;
+    key(&app, Scancode::D, true);
+    frames(&mut app, 1);
+    assert!(
+        app.play.world.view().velocity.x > 0.0,
+        "a key acts in the frame that sees it"
+    );
+    frames(&mut app, 29);
+    let there = app.play.world.view().position;
+    assert!(
+        there.x > start.x + 2.0 && there.y == start.y,
+        "{start} {there}"
+    );
+    key(&app, Scancode::D, false);
+    frames(&mut app, 30);
+    assert_eq!(app.play.world.view().velocity.x, 0.0);
+    tap(&mut app, Scancode::Space);
+    assert_eq!(app.play.world.view().stance, Stance::Air);
+    frames(&mut app, 120);
+    assert_eq!(app.play.world.view().stance, Stance::Ground);
+    tap(&mut app, Scancode::R);
+    assert_eq!(app.play.world.view().position.x, start.x);
+}
+
+pub fn a_stall_is_dropped(_: &Path) {
+    let mut app = open(&options(FLAT));
+    app.frame(Duration::from_secs(600)).unwrap();
+    assert_eq!(app.play.world.tick(), 30);
+}
+
+pub fn losing_the_focus_pauses(_: &Path) {
+    let mut app = open(&options(FLAT));
+    key(&app, Scancode::D, true);
+    frames(&mut app, 5);
+    let lost = Event::Window {
+        timestamp: 0,
+        window_id: 1,
+        win_event: WindowEvent::FocusLost,
+    };
+    app.event_sender().push_event(lost).unwrap();
+    frames(&mut app, 1);
+    let tick = app.play.world.tick();
+    frames(&mut app, 10);
+    assert!(app.is_paused() && app.play.world.tick() == tick);
+    tap(&mut app, Scancode::Escape);
+    assert!(!app.is_paused());
+    assert_eq!(
+        app.controls.take(),
+        Input::default(),
+        "held keys were let go"
+    );
+}
+
+pub fn pause_step_speed(_: &Path) {
+    let mut app = open(&options(FLAT));
+    tap(&mut app, Scancode::P);
+    let tick = app.play.world.tick();
+    tap(&mut app, Scancode::Period);
+    assert_eq!(app.play.world.tick(), tick + 1);
+    tap(&mut app, Scancode::P);
+    let tick = app.play.world.tick();
+    app.apply(Edit::Scale(0.25));
+    frames(&mut app, 60);
+    let slow = app.play.world.tick() - tick;
+    assert!((29..=31).contains(&slow), "{slow}");
+}
+
+pub fn a_controller_comes_and_goes(_: &Path) {
+    let mut app = open(&options(FLAT));
+    frames(&mut app, 5);
+    assert_eq!(app.controls.pads().count(), 0);
+    let pad = VirtualPad::plug_in();
+    frames(&mut app, 2);
+    assert_eq!(app.controls.pads().count(), 1);
+    let start = app.play.world.view().position;
+    pad.set(0, i16::MAX, 0, false);
+    frames(&mut app, 30);
+    assert!(app.play.world.view().position.x > start.x + 2.0);
+    pad.set(0, i16::MAX, 0, true);
+    frames(&mut app, 3);
+    assert_eq!(app.play.world.view().stance, Stance::Air);
+    pad.set(0, 3000, 0, false);
+    frames(&mut app, 120);
+    assert_eq!(
+        app.play.world.view().velocity.x,
+        0.0,
+        "within the dead zone"
+    );
+    pad.set(0, i16::MIN, 0, false);
+    frames(&mut app, 5);
+    assert!(app.play.world.view().velocity.x < 0.0);
+    pad.pull_out();
+    frames(&mut app, 60);
+    assert_eq!(app.controls.pads().count(), 0);
+    assert_eq!(
+        app.play.world.view().velocity.x,
+        0.0,
+        "a controller that is gone holds nothing"
+    );
+}

@@ -1,0 +1,95 @@
+//! What the tests do with an open game: start it, press keys, let frames pass, look.
+
+use edgewalker::cli::{Options, Source};
+use edgewalker::shell::app::App;
+use edgewalker::shell::notices::Topic;
+use edgewalker::tune::Motion;
+use sdl2::event::Event;
+use sdl2::keyboard::{Mod, Scancode};
+use std::path::Path;
+use std::time::Duration;
+
+/// A sixtieth of a second.
+pub const FRAME: Duration = Duration::from_nanos(16_666_667);
+/// Even ground between two walls.
+pub const FLAT: &str = "levels/dev/flat.ron";
+
+pub fn options(level: &str) -> Options {
+    Options {
+        source: Source::Live {
+            level: Some(level.into()),
+            tuning: None,
+            tick_rate: 120,
+            seed: 0,
+            record: None,
+        },
+        screenshot: None,
+        size: Some((320, 200)),
+        fullscreen: false,
+        vsync: false,
+        overlay: false,
+        mesh: false,
+    }
+}
+
+pub fn open(options: &Options) -> App {
+    App::open(options).unwrap_or_else(|e| panic!("{e}"))
+}
+
+pub fn frames(app: &mut App, count: u32) {
+    for _ in 0..count {
+        app.frame(FRAME).unwrap();
+    }
+}
+
+pub fn key(app: &App, code: Scancode, down: bool) {
+    let (timestamp, window_id, keycode, keymod) = (0, 0, None, Mod::NOMOD);
+    let (scancode, repeat) = (Some(code), false);
+    let event = if down {
+        Event::KeyDown {
+            timestamp,
+            window_id,
+            keycode,
+            scancode,
+            keymod,
+            repeat,
+        }
+    } else {
+        Event::KeyUp {
+            timestamp,
+            window_id,
+            keycode,
+            scancode,
+            keymod,
+            repeat,
+        }
+    };
+    app.event_sender().push_event(event).unwrap();
+}
+
+pub fn tap(app: &mut App, code: Scancode) {
+    key(app, code, true);
+    frames(app, 1);
+    key(app, code, false);
+    frames(app, 1);
+}
+
+pub fn with_tuning(path: &Path) -> Options {
+    let mut options = options(FLAT);
+    if let Source::Live { tuning, .. } = &mut options.source {
+        *tuning = Some(path.to_path_buf());
+    }
+    options
+}
+
+pub fn index_of(name: &str) -> usize {
+    Motion::META
+        .iter()
+        .position(|meta| meta.name == name)
+        .unwrap()
+}
+
+pub fn has_problem(app: &App, topic: Topic, words: &[&str]) -> bool {
+    let problem = app.notices.problems().iter().find(|(t, _)| *t == topic);
+    problem.is_some_and(|(_, text)| words.iter().all(|word| text.contains(word)))
+}

@@ -1,0 +1,178 @@
+//! The overlay's tools, and files that change under the running game.
+
+use super::hands::{FLAT, frames, has_problem, index_of, key, open, options, tap, with_tuning};
+use edgewalker::game::Stance;
+use edgewalker::shell::app::App;
+use edgewalker::shell::edits::{Edit, Group};
+use edgewalker::shell::notices::Topic;
+use edgewalker::tune::{Motion, Tuning};
+use sdl2::keyboard::Scancode;
+use std::fs;
+use std::path::Path;
+
+/// Jumps from rest with the key held; the greatest height above the ground.
+pub fn jump(app: &mut App) -> f64 {
+    let ground = app.play.world.view().position.y;
+    key(app, Scancode::Space, true);
+    let mut top = 0.0_f64;
+    for _ in 0..240 {
+        frames(app, 1);
+        top = top.max(app.play.world.view().position.y - ground);
+    }
+    key(app, Scancode::Space, false);
+    frames(app, 2);
+    assert_eq!(app.play.world.view().stance, Stance::Ground);
+    top
+}
+
+pub fn a_tunable_acts(_: &Path) {
+    let mut app = open(&options(FLAT));
+    frames(&mut app, 30);
+    tap(&mut app, Scancode::F1);
+    assert!(app.overlay.open);
+    app.overlay.show.mesh = true;
+    let usual = jump(&mut app);
+    app.apply(Edit::Tune {
+        group: Group::Motion,
+        index: index_of("jump_speed"),
+        value: 20.0,
+    });
+    let higher = jump(&mut app);
+    let (g, v) = (Motion::default().gravity, Motion::default().jump_speed);
+    let gain = (20.0 * 20.0 - v * v) / (2.0 * g);
+    assert!(
+        (higher - usual - gain).abs() < 0.02,
+        "{usual} {higher} {gain}"
+    );
+    app.apply(Edit::Tune {
+        group: Group::Motion,
+        index: index_of("jump_speed"),
+        value: 1e300,
+    });
+    assert_eq!(
+        app.tuning().motion.jump_speed,
+        Motion::META[index_of("jump_speed")].max
+    );
+    app.apply(Edit::Tune {
+        group: Group::Motion,
+        index: index_of("jump_speed"),
+        value: f64::NAN,
+    });
+    assert!(app.tuning().check().is_ok());
+    app.apply(Edit::ResetTuning);
+    assert_eq!(*app.tuning(), Tuning::default());
+    tap(&mut app, Scancode::F1);
+    assert!(!app.overlay.open);
+}
+
+pub fn tuning_is_saved_and_loaded(folder: &Path) {
+    let path = folder.join("tuning.ron");
+    fs::write(&path, "()").unwrap();
+    let mut app = open(&with_tuning(&path));
+    app.apply(Edit::Tune {
+        group: Group::Motion,
+        index: index_of("gravity"),
+        value: 33.125,
+    });
+    app.apply(Edit::SaveTuning);
+    app.apply(Edit::ResetTuning);
+    app.apply(Edit::LoadTuning);
+    assert_eq!(app.tuning().motion.gravity, 33.125);
+    drop(app);
+    assert_eq!(open(&with_tuning(&path)).tuning().motion.gravity, 33.125);
+}
+
+/// Frames enough for a look at the disk.
+pub fn await_reload(app: &mut App) {
+    frames(app, 20);
+}
+
+pub fn a_broken_level(folder: &Path) {
+    let path = folder.join("level.ron");
+    let good = fs::read_to_string(FLAT).unwrap();
+    fs::write(&path, &good).unwrap();
+    let mut app = open(&options(path.to_str().unwrap()));
+    key(&app, Scancode::D, true);
+    frames(&mut app, 30);
+    key(&app, Scancode::D, false);
+    let there = app.play.world.view().position;
+    fs::write(&path, &good[..good.len() / 2]).unwrap();
+    let tick = app.play.world.tick();
+    await_reload(&mut app);
+    assert!(
+        has_problem(&app, Topic::Level, &["level.ron"]),
+        "{:?}",
+        app.notices
+    );
+    assert!(app.play.world.tick() > tick);
+    fs::write(&path, good.replace("name: \"", "name: \"New ")).unwrap();
+    await_reload(&mut app);
+    assert!(app.notices.problems().is_empty(), "{:?}", app.notices);
+    assert!(app.play.world.stage().level.name.starts_with("New "));
+    assert!(
+        app.play.world.view().position.x >= there.x,
+        "the hero stays where he is"
+    );
+}
+
+pub fn a_broken_tuning(folder: &Path) {
+    let path = folder.join("tuning.ron");
+    fs::write(&path, "(motion: (gravity: 30.0))").unwrap();
+    let mut app = open(&with_tuning(&path));
+    fs::write(&path, "(motion: (gravity: -1.0))").unwrap();
+    await_reload(&mut app);
+    assert!(
+        has_problem(&app, Topic::Tuning, &["tuning.ron", "line 1", "gravity"]),
+        "{:?}",
+        app.notices
+    );
+    assert_eq!(app.tuning().motion.gravity, 30.0);
+    fs::write(&path, "(motion: (gravity: 25.0))").unwrap();
+    await_reload(&mut app);
+    assert!(app.notices.problems().is_empty());
+    assert_eq!(app.tuning().motion.gravity, 25.0);
+}
+
+pub fn a_broken_shader(folder: &Path) {
+    let home = std::env::current_dir().unwrap();
+    let shaders = folder.join("shaders");
+    fs::create_dir_all(&shaders).unwrap();
+    for entry in fs::read_dir("shaders").unwrap() {
+        let path = entry.unwrap().path();
+        fs::copy(&path, shaders.join(path.file_name().unwrap())).unwrap();
+    }
+    let level = home.join(FLAT);
+    std::env::set_current_dir(folder).unwrap(); // where shaders are looked for first
+    let mut app = open(&options(level.to_str().unwrap()));
+    std::env::set_current_dir(&home).unwrap();
+    let good = fs::read_to_string("shaders/sky.frag").unwrap();
+    // Where the game looks is a path from the folder that it was started in.
+    std::env::set_current_dir(folder).unwrap();
+    fs::write(
+        shaders.join("sky.frag"),
+        format!("{good}\nthis is no shader\n"),
+    )
+    .unwrap();
+    await_reload(&mut app);
+    assert!(
+        has_problem(&app, Topic::Shaders, &["sky.frag"]),
+        "{:?}",
+        app.notices
+    );
+    fs::write(shaders.join("sky.frag"), &good).unwrap();
+    await_reload(&mut app);
+    assert!(app.notices.problems().is_empty(), "{:?}", app.notices);
+    std::env::set_current_dir(&home).unwrap();
+}
+
+pub fn another_level(_: &Path) {
+    let mut app = open(&options(FLAT));
+    frames(&mut app, 10);
+    app.apply(Edit::OpenLevel("levels/dev/slopes.ron".into()));
+    frames(&mut app, 10);
+    assert!(app.notices.problems().is_empty(), "{:?}", app.notices);
+    assert!(app.play.world.tick() <= 21);
+    app.apply(Edit::OpenLevel("levels/dev/no-such.ron".into()));
+    frames(&mut app, 1);
+    assert!(has_problem(&app, Topic::Level, &["no-such.ron"]));
+}
