@@ -333,7 +333,7 @@ mod window {
             .arg(&path);
         expect(command, 0, &[]);
         let mut reader = png::Decoder::new(std::io::BufReader::new(
-            fs::File::open(Path::new(&path)).unwrap(),
+            fs::File::open(&path).unwrap(),
         ))
         .read_info()
         .unwrap();

@@ -4,19 +4,17 @@ use super::clock::{FrameLimiter, TickClock};
 use super::edits::Edit;
 use super::input::{Action, Controls};
 use super::notices::{Notices, Topic};
-use super::overlay::scene::{Drawing, MeshPicture};
+use super::overlay::scene::MeshPicture;
 use super::overlay::stats::Stats;
-use super::overlay::{Info, Overlay};
+use super::overlay::Overlay;
 use super::platform::{Platform, WindowOptions};
 use super::play::Play;
 use super::reload::{Timer, Watch};
-use super::render::{CameraPose, Frame, Renderer};
+use super::render::Renderer;
 use super::runs::{Feed, Recorder};
 use super::{ShellError, capture, levels};
 use crate::cli::{Options, files};
-use crate::game::camera::Pose;
 use crate::tune::Tuning;
-use glam::{DVec2, DVec3};
 use sdl2::event::{Event, EventSender, WindowEvent};
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -49,15 +47,15 @@ pub struct App {
     pub(super) paused: bool,
     pub(super) scale: f64,
     pub(super) quit: bool,
+    pub(super) levels: Vec<PathBuf>,
+    pub(super) stats: Stats,
+    pub(super) mesh_picture: MeshPicture,
+    pub(super) renderer: Renderer,
     shader_files: Watch,
-    levels: Vec<PathBuf>,
     disk: Timer,
-    stats: Stats,
-    mesh_picture: MeshPicture,
-    renderer: Renderer,
     wants_vsync: bool,
     focused: bool,
-    platform: Platform, // last: what is drawn with goes before the window
+    pub(super) platform: Platform, // last: what is drawn with goes before the window
 }
 
 impl App {
@@ -288,60 +286,6 @@ impl App {
         self.platform.event_sender()
     }
 
-    /// The picture: the world, drawings over it, panels over those.
-    fn draw(&mut self) -> Result<Vec<Edit>, ShellError> {
-        let share = self.clock.share();
-        let pixels = self.platform.pixels();
-        let view = self.play.view(share);
-        let covered = self.overlay.covered(&self.platform);
-        let pose = beside(self.play.pose(share, &self.tuning), covered, pixels);
-        let drawing = if self.overlay.open || self.overlay.show.mesh {
-            let (show, mesh) = (self.overlay.show, &self.mesh_picture);
-            Drawing::new(show, &self.play, mesh, &view, &pose).scaled_to(pixels.1)
-        } else {
-            Drawing::default()
-        };
-        let frame = Frame {
-            view: &view,
-            camera: camera(&pose),
-            time: view.time,
-            lines: &drawing.lines,
-            tris: &drawing.tris,
-            show_world: !(self.overlay.open && self.overlay.show.hide_world),
-        };
-        self.renderer.draw(&frame, pixels);
-        self.platform.show_mouse(self.overlay.open);
-        let is_over = self.feed.is_over();
-        let info = Info {
-            play: &self.play,
-            view: &view,
-            tuning: &self.tuning,
-            tuning_path: self.tuning_file.path(),
-            level_path: self.level_file.path(),
-            levels: &self.levels,
-            mesh_size: self.mesh_picture.size(),
-            stats: &self.stats,
-            notices: &self.notices,
-            source: &self.feed.describe(self.recorder.as_ref()),
-            paused: self.paused,
-            pause_notice: (!self.overlay.open).then_some(if is_over {
-                "The replay is over"
-            } else {
-                "Paused"
-            }),
-            scale: self.scale,
-            pads: self.controls.pads().count(),
-        };
-        self.overlay.draw(&self.platform, &info)
-    }
-
-    /// Shows the stage that is played now.
-    pub(super) fn show_stage(&mut self) {
-        let stage = self.play.world.stage();
-        self.renderer.set_stage(stage);
-        self.mesh_picture = MeshPicture::new(&stage.stand, stage.level.features.len());
-    }
-
     /// Reads again what has changed on disk; what is broken says why, and the last good state goes on.
     fn reload_changed(&mut self) {
         if self.overlay.open {
@@ -373,31 +317,5 @@ impl App {
         if let Err(reason) = self.platform.toggle_fullscreen() {
             self.notices.fail(Topic::Device, reason);
         }
-    }
-}
-
-/// The pose that shows beside a panel what it would show in the middle of the picture; `covered` is the panel's
-/// share of the width.
-fn beside(pose: Pose, covered: f64, (width, height): (u32, u32)) -> Pose {
-    let half = DVec2::from_angle((pose.fov_degrees / 2.0).to_radians());
-    let reach = (pose.eye.z - pose.target.z) * half.y / half.x;
-    let aside = DVec3::new(
-        reach * f64::from(width) / f64::from(height) * covered,
-        0.0,
-        0.0,
-    );
-    Pose {
-        eye: pose.eye - aside,
-        target: pose.target - aside,
-        ..pose
-    }
-}
-
-/// The renderer's camera, in its single precision.
-fn camera(pose: &Pose) -> CameraPose {
-    CameraPose {
-        eye: pose.eye.as_vec3(),
-        target: pose.target.as_vec3(),
-        fov_degrees: pose.fov_degrees as f32,
     }
 }

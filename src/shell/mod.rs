@@ -1,10 +1,10 @@
 //! The shell: window, input, picture, overlay. Everything that needs SDL2, OpenGL or ImGui is in this folder.
 //!
-//! In reading order: [`app`] (the frame, as a sequence), [`platform`] (the window), [`input`] and [`pads`] (devices),
-//! [`clock`] (time to ticks), [`runs`] (from player or replay, recorded or not), [`play`] (a world being played),
-//! [`edits`] (what the overlay may ask for), [`reload`] (files that change), [`levels`] (those to choose from),
-//! [`notices`] (what went wrong), [`capture`] (pictures as files), [`overlay`] (panels, drawings, heads-up display),
-//! [`render`] (the picture).
+//! In reading order: [`app`] (the frame, as a sequence), `picture` (what it shows), [`platform`] (the window),
+//! [`input`] and [`pads`] (devices), [`clock`] (time to ticks), [`runs`] (from player or replay, recorded or not),
+//! [`play`] (a world being played), [`edits`] (what the overlay may ask for), [`reload`] (files that change),
+//! [`levels`] (those to choose from), [`notices`] (what went wrong), [`capture`] (pictures as files), [`overlay`]
+//! (panels, drawings, heads-up display), [`render`] (the world's picture).
 
 pub mod app;
 pub mod capture;
@@ -15,6 +15,7 @@ pub mod levels;
 pub mod notices;
 pub mod overlay;
 pub mod pads;
+mod picture;
 pub mod platform;
 pub mod play;
 pub mod reload;

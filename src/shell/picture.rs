@@ -1,0 +1,92 @@
+//! The picture of a moment: the world from the camera, drawings over it, panels over those.
+
+use super::ShellError;
+use super::app::App;
+use super::edits::Edit;
+use super::overlay::Info;
+use super::overlay::scene::{Drawing, MeshPicture};
+use super::render::{CameraPose, Frame};
+use crate::game::camera::Pose;
+use glam::{DVec2, DVec3};
+
+impl App {
+    /// The picture: the world, drawings over it, panels over those.
+    pub(super) fn draw(&mut self) -> Result<Vec<Edit>, ShellError> {
+        let share = self.clock.share();
+        let pixels = self.platform.pixels();
+        let view = self.play.view(share);
+        let covered = self.overlay.covered(&self.platform);
+        let pose = beside(self.play.pose(share, &self.tuning), covered, pixels);
+        let drawing = if self.overlay.open || self.overlay.show.mesh {
+            let (show, mesh) = (self.overlay.show, &self.mesh_picture);
+            Drawing::new(show, &self.play, mesh, &view, &pose).scaled_to(pixels.1)
+        } else {
+            Drawing::default()
+        };
+        let frame = Frame {
+            view: &view,
+            camera: camera(&pose),
+            time: view.time,
+            lines: &drawing.lines,
+            tris: &drawing.tris,
+            show_world: !(self.overlay.open && self.overlay.show.hide_world),
+        };
+        self.renderer.draw(&frame, pixels);
+        self.platform.show_mouse(self.overlay.open);
+        let is_over = self.feed.is_over();
+        let info = Info {
+            play: &self.play,
+            view: &view,
+            tuning: &self.tuning,
+            tuning_path: self.tuning_file.path(),
+            level_path: self.level_file.path(),
+            levels: &self.levels,
+            mesh_size: self.mesh_picture.size(),
+            stats: &self.stats,
+            notices: &self.notices,
+            source: &self.feed.describe(self.recorder.as_ref()),
+            paused: self.paused,
+            pause_notice: (!self.overlay.open).then_some(if is_over {
+                "The replay is over"
+            } else {
+                "Paused"
+            }),
+            scale: self.scale,
+            pads: self.controls.pads().count(),
+        };
+        self.overlay.draw(&self.platform, &info)
+    }
+
+    /// Shows the stage that is played now.
+    pub(super) fn show_stage(&mut self) {
+        let stage = self.play.world.stage();
+        self.renderer.set_stage(stage);
+        self.mesh_picture = MeshPicture::new(&stage.stand, stage.level.features.len());
+    }
+}
+
+/// The pose that shows beside a panel what it would show in the middle of the picture; `covered` is the panel's
+/// share of the width.
+fn beside(pose: Pose, covered: f64, (width, height): (u32, u32)) -> Pose {
+    let half = DVec2::from_angle((pose.fov_degrees / 2.0).to_radians());
+    let reach = (pose.eye.z - pose.target.z) * half.y / half.x;
+    let aside = DVec3::new(
+        reach * f64::from(width) / f64::from(height) * covered,
+        0.0,
+        0.0,
+    );
+    Pose {
+        eye: pose.eye - aside,
+        target: pose.target - aside,
+        ..pose
+    }
+}
+
+/// The renderer's camera, in its single precision.
+fn camera(pose: &Pose) -> CameraPose {
+    CameraPose {
+        eye: pose.eye.as_vec3(),
+        target: pose.target.as_vec3(),
+        fov_degrees: pose.fov_degrees as f32,
+    }
+}
