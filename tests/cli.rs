@@ -332,11 +332,9 @@ mod window {
             .args(["--size", "320x200", "--at", "30", "--screenshot"])
             .arg(&path);
         expect(command, 0, &[]);
-        let mut reader = png::Decoder::new(std::io::BufReader::new(
-            fs::File::open(&path).unwrap(),
-        ))
-        .read_info()
-        .unwrap();
+        let mut reader = png::Decoder::new(std::io::BufReader::new(fs::File::open(&path).unwrap()))
+            .read_info()
+            .unwrap();
         let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
         reader.next_frame(&mut pixels).unwrap();
         assert_eq!(reader.info().size(), (320, 200));

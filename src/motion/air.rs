@@ -135,11 +135,12 @@ impl Body {
         let track = Track::of(mesh.segment(segment));
         let (at, v) = (self.position(), self.velocity());
         let into = -track.normal.dot(v);
-        if into < 0.0 {
+        if let Mode::Air(air) = &mut self.mode
+            && into < 0.0
+            && !air.touching.contains(&Some(segment))
+        {
             // Moving off: only a lip that rounding has left is in the way, less than a step high.
-            if let Mode::Air(air) = &mut self.mode {
-                air.touching = [Some(segment), air.touching[0]];
-            }
+            air.touching = [Some(segment), air.touching[0]];
             return;
         }
         let s = track.parameter(at);

@@ -52,7 +52,12 @@ impl Body {
         let best = both.into_iter().filter(follows);
         match best.max_by(|a, b| a.rank().partial_cmp(&b.rank()).expect("no NaN in a motion")) {
             Some(m) => {
-                let s = Track::of(mesh.segment(m.segment)).parameter_of(mesh.point(vertex));
+                let other = if m.edge == a.edge { &b } else { &a };
+                let s = m.track.parameter_at_joint(
+                    mesh.segment(m.segment),
+                    &other.track,
+                    mesh.point(vertex),
+                );
                 let balanced = a.rank() == b.rank();
                 let along = if m.outward > 0.0 && !balanced {
                     m.along
@@ -61,7 +66,14 @@ impl Body {
                 };
                 self.settle(m.segment, m.edge, s, along, m.into, terrain, trace);
             }
-            None => self.wedge(mesh.point(vertex).metres(), out, terrain, trace),
+            None => {
+                let s = a.track.parameter_at_joint(
+                    mesh.segment(a.segment),
+                    &b.track,
+                    mesh.point(vertex),
+                );
+                self.wedge(a.track.position(s), out, terrain, trace);
+            }
         }
         true
     }
@@ -87,6 +99,7 @@ impl Body {
         };
         Some(Meeting {
             segment,
+            track,
             edge,
             into,
             along: track.tangent.dot(v),
@@ -101,6 +114,7 @@ impl Body {
 /// How a motion at a vertex meets one of its edges.
 struct Meeting {
     segment: SegmentId,
+    track: Track,
     edge: EdgeId,
     /// Speed into it.
     into: f64,

@@ -66,6 +66,8 @@ struct Joint {
     /// Sign of the parameter's change so far.
     sign: f64,
     heading: Heading,
+    /// The road so far.
+    track: Track,
     /// Exact direction of the motion so far.
     before: (i64, i64),
     /// The next edge of the surface.
@@ -107,6 +109,7 @@ impl Body {
             speed: on.speed(now).abs(),
             sign,
             heading,
+            track: on.track,
             before: on.track.heading(sign),
             next,
             segment,
@@ -137,12 +140,17 @@ impl Body {
         let sign = Surface::sign_on(&track, joint.heading);
         let after = track.heading(sign);
         if !turns_towards(joint.before, after, joint.heading) {
-            return self.leave(joint, terrain, trace);
+            let onward = joint.next;
+            return self.leave(joint, onward, terrain, trace);
         }
         // Up a steep face goes only what rises by more than a joint may: so the ever smaller returns of a push end.
         let up = joint.speed * cosine(joint.before, after);
         if up > 0.0 && up * up > 2.0 * t.gravity * f64::from(JOINT_STEPS) * STEP {
-            let at = track.parameter_of(mesh.point(behind(mesh, joint.next, joint.heading)));
+            let at = track.parameter_at_joint(
+                mesh.segment(s),
+                &joint.track,
+                mesh.point(behind(mesh, joint.next, joint.heading)),
+            );
             let into = (joint.speed * joint.speed - up * up).max(0.0).sqrt();
             self.settle(s, joint.next, at, sign * up, into, terrain, trace);
             return false;
@@ -180,14 +188,18 @@ impl Body {
         }
         let towards = turns_towards(joint.before, after, joint.heading);
         if !towards && !holds(&joint, after, mesh, on.segment, segment, t) {
-            return self.leave(joint, terrain, trace);
+            return self.leave(joint, edge, terrain, trace);
         }
         let kept = if towards && t.concave == 1.0 {
             cosine(joint.before, after).max(0.0)
         } else {
             1.0
         };
-        let s0 = track.parameter_of(mesh.point(behind(mesh, edge, joint.heading)));
+        let s0 = track.parameter_at_joint(
+            mesh.segment(segment),
+            &on.track,
+            mesh.point(behind(mesh, edge, joint.heading)),
+        );
         let u0 = sign * joint.speed * kept;
         *on = Surface {
             t0: now,
@@ -214,27 +226,36 @@ impl Body {
             return false;
         };
         let vertex = mesh.point(ahead(mesh, on.edge, joint.heading));
-        (on.t0, on.s0, on.u0, on.since) = (now, on.track.parameter_of(vertex), 0.0, 0.0);
+        let wall = joint.segment.map(|s| Track::of(mesh.segment(s)));
+        let s0 = on.track.parameter_at_joint(
+            mesh.segment(on.segment),
+            wall.as_ref().unwrap_or(&on.track),
+            vertex,
+        );
+        (on.t0, on.s0, on.u0, on.since) = (now, s0, 0.0, 0.0);
         on.against = joint.sign;
         self.log(EventKind::Stopped(joint.speed), trace);
         false
     }
 
-    /// Off the end of a surface, in the direction of the motion so far.
-    fn leave(&mut self, joint: Joint, terrain: &Terrain, trace: &mut Trace) -> bool {
+    /// Off the end of a surface, in the direction of the motion so far, from the vertex where `onward` begins: the edge that
+    /// would continue it.
+    fn leave(
+        &mut self,
+        joint: Joint,
+        onward: EdgeId,
+        terrain: &Terrain,
+        trace: &mut Trace,
+    ) -> bool {
         let mesh = terrain.mesh(self.size);
         let Mode::Surface(on) = &self.mode else {
             return false;
         };
-        let (edge, walkable, v) = (
-            on.edge,
-            on.walkable,
-            on.track.tangent * (joint.sign * joint.speed),
-        );
-        // The edge out of the vertex that has the free face of the surface on its left.
+        let (walkable, v) = (on.walkable, on.track.tangent * (joint.sign * joint.speed));
+        // The edge out of that vertex that has a free face beside the surface on its left.
         let spoke = match joint.heading {
-            Heading::Along => mesh.lnext(edge),
-            Heading::Against => edge,
+            Heading::Along => onward,
+            Heading::Against => mesh.lnext(onward),
         };
         let d = DVec2::new(joint.before.0 as f64, joint.before.1 as f64);
         let then = DVec2::new(0.0, -1.0);
@@ -268,30 +289,31 @@ impl Body {
         let sign = Surface::sign_on(&track, joint.heading);
         let after = track.heading(sign);
         if !turns_towards(joint.before, after, joint.heading) {
-            return self.leave(joint, terrain, trace);
+            let onward = joint.next;
+            return self.leave(joint, onward, terrain, trace);
         }
         let vertex = mesh.point(behind(mesh, joint.next, joint.heading));
         let onward = (joint.speed * cosine(joint.before, after)).max(0.0);
         let into = (joint.speed * joint.speed - onward * onward)
             .max(0.0)
             .sqrt();
+        let at = track.parameter_at_joint(mesh.segment(s), &joint.track, vertex);
         let (sinks, goes_down) = (joint.before.1 < 0, after.1 < 0);
         let lasts = onward > 0.0 || !self.pulled_off(&track, 0.0, terrain);
-        if walkable(mesh.segment(s), terrain.tuning.max_slope)
-            || lasts && (goes_down || !sinks && onward > 0.0)
-        {
-            self.settle(
-                s,
-                joint.next,
-                track.parameter_of(vertex),
-                sign * onward,
-                into,
-                terrain,
-                trace,
-            );
+        if walkable(mesh.segment(s), terrain.tuning.max_slope) {
+            // Who holds against the slope that he comes down on stands at its foot: else each return would set him off again.
+            let wish = self.control.run * terrain.tuning.run_speed;
+            let holds = wish * f64::from(after.0.signum() as i32) < 0.0 && onward <= wish.abs();
+            let u = if holds { 0.0 } else { sign * onward };
+            self.settle(s, joint.next, at, u, into, terrain, trace);
+            if let (true, Mode::Surface(on)) = (holds, &mut self.mode) {
+                on.against = -sign;
+            }
+        } else if lasts && (goes_down || !sinks && onward > 0.0) {
+            self.settle(s, joint.next, at, sign * onward, into, terrain, trace);
         } else if sinks && !goes_down {
             // Gravity drives it back from both sides.
-            self.wedge(vertex.metres(), joint.next, terrain, trace);
+            self.wedge(track.position(at), joint.next, terrain, trace);
         } else {
             return self.stop(joint, terrain, trace);
         }

@@ -85,6 +85,30 @@ impl Track {
         self.parameter(p.metres())
     }
 
+    /// The parameter at a vertex where another road meets this one, the road of `segment`: that of the crossing itself, of
+    /// which the vertex is only the rounded place; that of the vertex where the segment ends there, or where the lines do
+    /// not cross within a step of it.
+    pub fn parameter_at_joint(&self, segment: &Segment, other: &Track, vertex: Point) -> f64 {
+        let (d, e) = (self.direction, other.direction);
+        let det = cross(d, e);
+        if det == 0 || vertex == segment.a || vertex == segment.b {
+            return self.parameter_of(vertex);
+        }
+        // The point p with cross(d, p) and cross(e, p) equal to the two offsets, by Cramer's rule; 3b + 5 = 92 bits.
+        let solve = |d: i64, e: i64| {
+            let numerator =
+                i128::from(e) * i128::from(self.offset) - i128::from(d) * i128::from(other.offset);
+            numerator as f64 / det as f64
+        };
+        let (x, y) = (solve(d.0, e.0), solve(d.1, e.1));
+        let near = |c: f64, v: i32| (c - f64::from(v)).abs() <= 1.0;
+        if near(x, vertex.x) && near(y, vertex.y) {
+            self.parameter(DVec2::new(x, y) * STEP)
+        } else {
+            self.parameter_of(vertex)
+        }
+    }
+
     /// The position on the line at a parameter.
     pub fn position(&self, s: f64) -> DVec2 {
         let (dx, dy) = (self.direction.0 as f64, self.direction.1 as f64);
@@ -188,6 +212,23 @@ mod tests {
         );
         assert!(long.same_line(&short));
         assert_eq!(long.position(0.3), short.position(0.3));
+    }
+
+    #[test]
+    fn a_joint_lies_on_both_lines() {
+        let (low, steep) = (segment((90, 40), (0, -20)), segment((7, -40), (20, 35)));
+        let (floor, wall) = (Track::of(&low), Track::of(&steep));
+        let vertex = Point::new(12, -12);
+        let (s, t) = (
+            floor.parameter_at_joint(&low, &wall, vertex),
+            wall.parameter_at_joint(&steep, &floor, vertex),
+        );
+        assert!((floor.position(s) - wall.position(t)).length() < 1e-16);
+        assert_eq!(
+            floor.parameter_at_joint(&low, &wall, Point::new(30, 0)),
+            30.0 * STEP,
+            "not there"
+        );
     }
 
     #[test]
