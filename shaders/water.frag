@@ -10,10 +10,10 @@ void main() {
     vec3 from = normalize(at - eye.xyz);
     vec3 mirrored = reflect(from, normal);
     float grazing = 1.0 - abs(dot(from, normal));
-    float mirror = 0.06 + 0.80 * grazing * grazing * grazing;
+    float mirror = 0.05 + 0.60 * grazing * grazing * grazing * grazing;
     vec3 sky = haze(vec3(mirrored.x, 0.0, mirrored.z)) * 1.05;
     float glint = max(dot(mirrored, SUNSET), 0.0);
-    vec3 light = mix(vec3(0.016, 0.055, 0.070), sky, mirror) + vec3(1.1, 0.5, 0.2) * pow(glint, 24.0);
-    light = mix(light, haze(from), fog(at));
+    vec3 light = mix(vec3(0.012, 0.060, 0.078), sky, mirror) + vec3(1.1, 0.5, 0.2) * pow(glint, 24.0);
+    light = mix(light, haze(from), fog(at) * 0.8);
     screen = vec4(tone(light, gl_FragCoord.xy, vec2(ray_right.w, ray_up.w)), 1.0);
 }

@@ -9,6 +9,6 @@ void main() {
     float t = eye.w;
     at = position;
     at.xz += 0.9 * vec2(sin(position.z * 1.7 + position.x * 0.3), sin(position.x * 1.3 + position.z * 0.7));
-    at.y += 0.16 * sin(at.x * 0.55 + t * 0.9) + 0.14 * sin(at.z * 0.6 - at.x * 0.25 + t * 1.15);
+    at.y += 0.22 * sin(at.x * 0.55 + t * 0.9) + 0.20 * sin(at.z * 0.6 - at.x * 0.25 + t * 1.15);
     gl_Position = view_proj * vec4(at, 1.0);
 }

@@ -105,7 +105,7 @@ fn lantern(model: &mut Model) {
     model.lathe(lamp - Vec3::Y * 0.18, 6, &[(0.0, 0.09), (0.06, 0.15)], IRON);
 }
 
-/// A column of drums, 5 m tall: whole with a capital, or broken.
+/// A column of drums, 5 m tall on a pier that goes down 5 m more: whole with a capital, or broken.
 fn pillar(foot: Vec3, model: &mut Model) {
     let chance = |salt: u32| hash(foot, salt);
     let broken = chance(21) < 0.45;
@@ -114,7 +114,7 @@ fn pillar(foot: Vec3, model: &mut Model) {
     } else {
         4
     };
-    model.block(Vec3::Y * -0.8, (0.75, 0.75), (0.72, 0.72), 1.1, STONE);
+    model.block(Vec3::Y * -5.0, (0.85, 0.85), (0.72, 0.72), 5.3, STONE);
     for drum in 0..drums {
         let (height, radius) = (0.3 + 1.05 * drum as f32, 0.52 - 0.025 * drum as f32);
         let shift = vec3(chance(23 + drum) - 0.5, 0.0, chance(33 + drum) - 0.5) * 0.10;

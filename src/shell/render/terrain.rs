@@ -160,6 +160,16 @@ impl Rims {
         rims
     }
 
+    /// Into the open at a vertex; zero within the solid, also for vertices that were added later.
+    fn outward(&self, v: usize) -> DVec2 {
+        self.outward.get(v).copied().unwrap_or_default()
+    }
+
+    /// How much sky a vertex sees.
+    fn open(&self, v: usize) -> f32 {
+        self.open.get(v).copied().unwrap_or(1.0)
+    }
+
     /// Adds the vertices at which the front bends down to the rim: one inside of each border vertex.
     fn bend(&self, facets: &mut Facets) {
         let starts: Vec<usize> = (0..facets.origin.len())
@@ -213,23 +223,45 @@ fn add_walls(facets: &Facets, rims: &Rims, model: &mut Model) {
         let p = facets.points[v].as_vec2();
         let flat = p.extend(z);
         let amount = swell * (0.35 + 0.65 * hash(flat, 6));
-        (p + rims.outward[v].as_vec2() * amount).extend(z - swell.min(1.0) * 0.8 * hash(flat, 7))
+        (p + rims.outward(v).as_vec2() * amount).extend(z - swell.min(1.0) * 0.8 * hash(flat, 7))
     };
-    for e in (0..facets.origin.len()).filter(|&e| facets.is_border(e)) {
+    for e in 0..facets.origin.len() {
         let (a, b) = (facets.origin[e], facets.origin[next(e)]);
         let colours = palette(facets.material[e / 3]);
+        let hidden = depth_behind(facets, e);
         for (station, pair) in colours.stations.windows(2).enumerate() {
-            let corners = [
-                place(a, pair[0]),
-                place(a, pair[1]),
-                place(b, pair[1]),
-                place(b, pair[0]),
-            ];
+            let [front, back] = [pair[0], pair[1]];
+            if back.0 >= hidden {
+                continue;
+            }
+            let corners = [(a, front), (a, back), (b, back), (b, front)];
             let dim = |further: usize| 1.0 - 0.17 * (station + further).saturating_sub(1) as f32;
-            let shades =
-                [(a, 0), (a, 1), (b, 1), (b, 0)].map(|(v, further)| rims.open[v] * dim(further));
-            add_wall_piece(corners, shades, &colours, model);
+            let shades = [(a, 0), (a, 1), (b, 1), (b, 0)];
+            add_wall_piece(
+                corners.map(|(v, station)| place(v, station)),
+                shades.map(|(v, further)| rims.open(v) * dim(further)),
+                &colours,
+                model,
+            );
         }
+    }
+}
+
+/// How far back a wall on a half-edge is hidden by what lies on its other side: not at all by free space, for good by the
+/// same material, else down to where the other material ends.
+fn depth_behind(facets: &Facets, e: usize) -> f32 {
+    if facets.is_border(e) {
+        return f32::INFINITY;
+    }
+    let (this, other) = (facets.material[e / 3], facets.material[facets.twin[e] / 3]);
+    let ends = palette(other)
+        .stations
+        .last()
+        .map_or(0.0, |station| station.0);
+    if this == other {
+        f32::NEG_INFINITY
+    } else {
+        ends
     }
 }
 
