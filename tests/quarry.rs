@@ -11,8 +11,11 @@ use glam::DVec2;
 use player::{Act, Jump, Player, Run, WAY, Walk, quarry};
 use std::sync::Arc;
 
+/// Its name, where one lands in it, the way out, where that leads.
+type Pocket = (&'static str, (f64, f64), &'static [Act], (f64, f64));
+
 /// The pockets beside the way: where one may fall to, the way out, and where that leads.
-const POCKETS: &[(&str, (f64, f64), &[Act], (f64, f64))] = &[
+const POCKETS: &[Pocket] = &[
     (
         "west of the fallen stones",
         (30.6, -1.7),

@@ -135,6 +135,58 @@ fn scene_06_boxes_that_touch_at_a_corner_leave_no_way_between() {
 }
 
 #[test]
+fn scene_07_seven_edges_at_one_vertex() {
+    // Thin triangles from the origin; between each two of them a free sector that nobody leaves over the origin.
+    let bearings = [10.0, 60.0, 100.0, 150.0, 200.0, 260.0, 320.0f64];
+    let at = |degrees: f64, far: f64| {
+        (
+            far * degrees.to_radians().cos(),
+            far * degrees.to_radians().sin(),
+        )
+    };
+    let scene = bearings.iter().fold(Scene::point(), |s, &b| {
+        s.solid(&[(0.0, 0.0), at(b - 1.0, 10.0), at(b + 1.0, 10.0)])
+    });
+    let mut state = 1u64;
+    let mut random = move || {
+        state = state
+            .wrapping_mul(6364136223846793005)
+            .wrapping_add(1442695040888963407);
+        (state >> 11) as f64 / (1u64 << 53) as f64
+    };
+    let pushes: Vec<_> = (0..1500).map(|_| (random(), random())).collect();
+    scene.tune(|t| t.gravity = 0.0).each(|run| {
+        for i in 0..7 {
+            let (low, high) = (
+                bearings[i] + 1.0,
+                bearings[(i + 1) % 7] - 1.0 + if i == 6 { 360.0 } else { 0.0 },
+            );
+            let (x, y) = at((low + high) / 2.0, 0.5);
+            run.spawn(x, y);
+            for (tick, &(turn, speed)) in pushes.iter().enumerate() {
+                // Mostly towards the origin, so that the corner is where it happens.
+                let p = run.at();
+                let push =
+                    -p * (2.0 * speed / p.length().max(1e-9)) + v(turn - 0.5, speed - 0.5) * 4.0;
+                run.velocity(push.x, push.y)
+                    .advance((tick + 1) as f64 / 60.0);
+                let p = run.at();
+                let bearing = p.y.atan2(p.x).to_degrees();
+                let turned = (bearing - low).rem_euclid(360.0);
+                let inside = turned <= high - low + 1e-3 || turned >= 360.0 - 1e-3;
+                assert!(
+                    inside || p.length() < 1e-4,
+                    "sector {i}: {p} at {bearing} degrees"
+                );
+                if p.length() > 8.0 {
+                    run.spawn(x, y).advance((tick + 1) as f64 / 60.0);
+                }
+            }
+        }
+    });
+}
+
+#[test]
 fn scene_08_a_slab_a_step_thick_stops_ten_kilometres_a_second() {
     let fast = |t: &mut edgewalker::tune::Motion| (t.gravity, t.fall_speed) = (30.0, 1e12);
     Scene::point()

@@ -1,6 +1,6 @@
 //! Scenes in a few words: solids, a collider, a tuning; run as they are, mirrored and shifted.
 
-use edgewalker::geom::{Collider, Point, expand};
+use edgewalker::geom::{Collider, ExpandedEdge, Point, Source, expand};
 use edgewalker::mesh::Mesh;
 use edgewalker::motion::{Body, Control, EventKind, Mode, Size, Terrain, Trace, check::check};
 use edgewalker::tune::Motion;
@@ -48,6 +48,8 @@ impl Variant {
 #[derive(Clone)]
 pub struct Scene {
     pub solids: Vec<Vec<DVec2>>,
+    /// Edges without an inside, for the point alone: they cut free space and stop nobody.
+    pub wires: Vec<(DVec2, DVec2)>,
     pub stand: Collider,
     pub crouch: Collider,
     pub tuning: Motion,
@@ -89,6 +91,7 @@ impl Scene {
     pub fn point() -> Scene {
         Scene {
             solids: Vec::new(),
+            wires: Vec::new(),
             stand: Collider::point(),
             crouch: Collider::point(),
             tuning: plain(),
@@ -116,6 +119,11 @@ impl Scene {
         self
     }
 
+    pub fn wire(mut self, a: (f64, f64), b: (f64, f64)) -> Scene {
+        self.wires.push((v(a.0, a.1), v(b.0, b.1)));
+        self
+    }
+
     pub fn rect(self, x: (f64, f64), y: (f64, f64)) -> Scene {
         self.solid(&[(x.0, y.0), (x.1, y.0), (x.1, y.1), (x.0, y.1)])
     }
@@ -139,11 +147,13 @@ impl Scene {
             }
             outline
         };
-        let features: Vec<_> = self
-            .solids
-            .iter()
-            .map(|s| expand(&snap(s), collider))
-            .collect();
+        let outlines = self.solids.iter().map(|s| expand(&snap(s), collider));
+        let wires = self.wires.iter().map(|&(a, b)| {
+            let [a, b] = [a, b].map(|p| Point::snap(variant.there(p)).unwrap());
+            let source = Source::Edge { edge: 0 };
+            vec![ExpandedEdge { a, b, source }]
+        });
+        let features: Vec<_> = outlines.chain(wires).collect();
         Mesh::build(&features).unwrap()
     }
 

@@ -5,6 +5,55 @@ use edgewalker::geom::STEP;
 use edgewalker::motion::EventKind;
 
 #[test]
+fn scene_22_exactly_through_free_vertices() {
+    // Stars of free edges with their centres on the parabola x = 4t, y = 8t - 16t^2 and on the upright x = 0.
+    let star = |scene: Scene, x: f64, y: f64| {
+        let tips = [
+            (1.0, 0.5),
+            (-0.5, 1.0),
+            (-1.0, -0.25),
+            (0.25, -0.75),
+            (0.5, 0.0),
+            (0.0, 0.5),
+        ];
+        tips.iter()
+            .fold(scene, |s, (dx, dy)| s.wire((x, y), (x + dx, y + dy)))
+    };
+    let scene = Scene::point().tune(|t| t.gravity = 32.0);
+    let scene = [0.125, 0.25, 0.5, 0.75]
+        .iter()
+        .fold(scene, |s, t| star(s, 4.0 * t, 8.0 * t - 16.0 * t * t));
+    let scene = star(scene, 0.0, -4.0);
+    scene.each(|run| {
+        run.spawn(0.0, 0.0).velocity(4.0, 8.0);
+        for tick in 1..=64 {
+            let t = f64::from(tick) / 64.0;
+            run.advance(t).near(4.0 * t, 8.0 * t - 16.0 * t * t, 0.0);
+        }
+        run.spawn(0.0, 0.0).advance(0.5).near(0.0, -4.0, 0.0);
+        run.advance(1.0).near(0.0, -16.0, 0.0);
+        assert_eq!(run.kinds(), []);
+    });
+}
+
+#[test]
+fn scene_23_along_a_hundred_free_edges() {
+    let scene = (0..100).fold(Scene::point(), |s, i| {
+        let x = f64::from(i) * 0.5;
+        s.wire((x, 0.0), (x + 0.5, 0.0))
+            .wire((x, 0.0), (x, if i % 2 == 0 { 1.0 } else { -1.0 }))
+    });
+    scene.tune(|t| t.gravity = 0.0).each(|run| {
+        run.spawn(-1.0, 0.0)
+            .velocity(8.0, 0.0)
+            .advance(8.0)
+            .near(63.0, 0.0, 0.0);
+        assert_eq!(run.kinds(), []);
+        assert!(run.trace.crossed <= 400, "{} crossings", run.trace.crossed);
+    });
+}
+
+#[test]
 fn scene_25_out_and_in_by_the_same_edge_in_one_step() {
     // A tall thin spike beside the path gives the free space edges that the parabola crosses twice.
     let scene = Scene::point()
