@@ -16,6 +16,7 @@ mod check;
 mod cover;
 mod covering;
 mod edit;
+mod enforce;
 mod hash;
 mod hilbert;
 mod snap;

@@ -53,7 +53,7 @@ pub struct Reroute {
 #[derive(Clone, Debug)]
 pub struct Arrangement {
     originals: Vec<Original>,
-    free_slots: Vec<SegmentId>,
+    free_segments: Vec<SegmentId>,
     /// Point of each hot pixel by vertex id.
     points: Vec<Point>,
     free_vertices: Vec<VertexId>,
@@ -71,7 +71,7 @@ impl Arrangement {
     pub fn new(shift: u32, reserved: &[Point]) -> Self {
         Arrangement {
             originals: Vec::new(),
-            free_slots: Vec::new(),
+            free_segments: Vec::new(),
             points: reserved.to_vec(),
             free_vertices: Vec::new(),
             vertex_at: HashMap::default(),
@@ -106,7 +106,7 @@ impl Arrangement {
             let (old, new) = (self.unregister(segment), Vec::new());
             diff.rerouted.push(Reroute { segment, old, new });
         }
-        let survivors = self.originals.len() > self.free_slots.len() + remove.len();
+        let survivors = self.originals.len() > self.free_segments.len() + remove.len();
         self.vertex_at.reserve(add.len());
         for &(a, b) in add {
             let segment = self.register(a, b, &mut diff.born);
@@ -120,7 +120,7 @@ impl Arrangement {
         for &segment in &diff.added {
             self.originals[segment.index()].chain = self.find_chain(segment);
         }
-        self.free_slots.extend(remove.iter().rev());
+        self.free_segments.extend(remove.iter().rev());
         diff
     }
 
@@ -137,7 +137,7 @@ impl Arrangement {
     /// Puts a segment into the buckets and heats its ends and its crossings with those that are there.
     fn register(&mut self, a: Point, b: Point, born: &mut Vec<VertexId>) -> SegmentId {
         let segment = self
-            .free_slots
+            .free_segments
             .pop()
             .unwrap_or(SegmentId(self.originals.len() as u32));
         let original = Original {

@@ -251,18 +251,36 @@ impl Topology {
     }
 
     /// Makes three edges, each starting where the one before ends, the triangle of a face.
+    ///
+    /// This wires both graphs: the three dual edges become the ring of the face, and at each corner the side that
+    /// leaves it is followed by the side that reaches it. All operations below are made of it.
     #[inline]
-    fn set_triangle(&mut self, sides: [Quarter; 3], face: u32) {
-        let [x, y, z] = sides.map(inv_rot);
+    pub fn set_triangle(&mut self, sides: [Quarter; 3], face: u32) {
+        let [x, y, z] = sides;
         for (q, next) in [(x, y), (y, z), (z, x)] {
-            self.set_next(q, next);
-            self.set_origin(q, face);
+            self.set_next(inv_rot(q), inv_rot(next));
+            self.set_origin(inv_rot(q), face);
+            self.set_next(next, sym(q));
         }
-        self.face_edge[face as usize] = sides[0];
+        self.face_edge[face as usize] = x;
         if !self.touched[face as usize] {
             self.touched[face as usize] = true;
             self.touched_list.push(face);
         }
+    }
+
+    /// Gives an edge other ends. The triangles beside it are to be set next.
+    #[inline]
+    pub fn set_ends(&mut self, q: Quarter, v: u32, w: u32) {
+        self.set_origin(q, v);
+        self.set_origin(sym(q), w);
+    }
+
+    /// Notes that an edge starts at its origin, for [`Topology::vertex_edge`].
+    #[inline]
+    pub fn anchor(&mut self, q: Quarter) {
+        let v = self.origin(q);
+        self.vertex_edge[v as usize] = q;
     }
 
     fn make_face(&mut self) -> u32 {
@@ -288,18 +306,10 @@ impl Topology {
         let (n1, n2) = (self.lnext(e), self.lprev(e));
         let (m1, m2) = (self.lnext(sym(e)), self.lprev(sym(e)));
         let (f, g) = (self.left(e), self.left(sym(e)));
-        // The rings of o and d lose the edge, those of r and l gain it.
-        self.set_next(m1, sym(n2));
-        self.set_next(n1, sym(m2));
-        self.set_next(m2, e);
-        self.set_next(e, sym(m1));
-        self.set_next(n2, sym(e));
-        self.set_next(sym(e), sym(n1));
-        let [o, d, l, r] = [m1, n1, n2, m2].map(|q| self.origin(q));
-        self.set_origin(e, r);
-        self.set_origin(sym(e), l);
-        self.vertex_edge[o as usize] = m1;
-        self.vertex_edge[d as usize] = n1;
+        self.set_ends(e, self.origin(m2), self.origin(n2));
+        // The rings of o and d lose the edge.
+        self.anchor(m1);
+        self.anchor(n1);
         self.set_triangle([e, n2, m1], f);
         self.set_triangle([sym(e), m2, n1], g);
     }
@@ -319,24 +329,12 @@ impl Topology {
         if self.vertex_edge.len() <= v as usize {
             self.vertex_edge.resize(v as usize + 1, NONE);
         }
-        let [p, q, r] = [x, y, z].map(|side| self.make_spoke(v, side));
-        self.set_next(p, q);
-        self.set_next(q, r);
-        self.set_next(r, p);
+        let [p, q, r] = [x, y, z].map(|side| self.make_edge(v, self.origin(side)));
         let (g, h) = (self.make_face(), self.make_face());
         self.set_triangle([x, sym(q), p], face);
         self.set_triangle([y, sym(r), q], g);
         self.set_triangle([z, sym(p), r], h);
         p
-    }
-
-    /// A new edge from v to the origin of a side of a triangle, entering that ring inside the triangle.
-    fn make_spoke(&mut self, v: u32, side: Quarter) -> Quarter {
-        let spoke = self.make_edge(v, self.origin(side));
-        let after = self.onext(side);
-        self.set_next(side, sym(spoke));
-        self.set_next(sym(spoke), after);
-        spoke
     }
 
     /// Removes a vertex of degree three, with its edges, leaving one face: [`Topology::insert`] backwards.
@@ -350,11 +348,7 @@ impl Topology {
         );
         let sides = [p, q, r].map(|spoke| self.lnext(spoke));
         let faces = [p, q, r].map(|spoke| self.left(spoke));
-        for (spoke, side) in [p, q, r].into_iter().zip(sides) {
-            let corner = self.origin(side);
-            self.set_next(side, self.onext(sym(spoke)));
-            self.vertex_edge[corner as usize] = side;
-        }
+        sides.iter().for_each(|&side| self.anchor(side));
         for spoke in [p, q, r] {
             self.quads[(spoke >> 2) as usize] = QuadEdge {
                 next: [NONE; 4],

@@ -7,10 +7,9 @@
 
 use super::topology::{NONE, Quarter, Topology, sym};
 use super::walk::{Found, walk};
-use crate::geom::predicates::{crosses, in_circle, orient2d};
+use crate::geom::predicates::{in_circle, orient2d};
 use crate::geom::{BOUND, Point};
 use std::cmp::Ordering;
-use std::collections::VecDeque;
 
 /// Furthest coordinate of the outer box, in steps; all other vertices lie strictly inside.
 pub const EDGE_OF_WORLD: i32 = BOUND - 1;
@@ -170,6 +169,11 @@ impl Triangulation {
         }
     }
 
+    /// Notes edges that may have become illegal.
+    pub fn suspect<'a>(&mut self, edges: impl IntoIterator<Item = &'a Quarter>) {
+        self.suspects.extend(edges);
+    }
+
     /// Flips an edge and suspects the sides of its quadrangle. The edge itself is a side of the next flip nearby,
     /// or stays as it is.
     fn flip(&mut self, e: Quarter) {
@@ -210,59 +214,6 @@ impl Triangulation {
         let e = self.topology.face_edge(face);
         self.suspects
             .extend([e, self.topology.lnext(e), self.topology.lprev(e)]);
-    }
-
-    /// The edge between two vertices, made by flips if need be. Call [`Self::legalise`] when all is done.
-    ///
-    /// All edges that cross it must be free, and no vertex may lie on it. (Sloan 1993: flip the crossing edges
-    /// of convex quadrangles, put the others off.)
-    pub fn enforce(&mut self, v: u32, w: u32) -> Quarter {
-        if let Some(e) = self.topology.edge_between(v, w) {
-            return e;
-        }
-        let (a, b) = (self.point(v), self.point(w));
-        let mut crossing = self.crossing(v, w);
-        while let Some(e) = crossing.pop_front() {
-            debug_assert!(!self.is_fixed(e), "two fixed edges cross");
-            let [o, d, l, r] = self.quadrangle(e);
-            if !crosses(o, d, l, r) {
-                crossing.push_back(e);
-                continue;
-            }
-            self.flip(e);
-            if crosses(a, b, l, r) {
-                crossing.push_back(e);
-            }
-        }
-        let made = self.topology.edge_between(v, w);
-        made.expect("flipping all crossing edges leaves the edge itself")
-    }
-
-    /// The edges that cross the line between two vertices, in order.
-    fn crossing(&self, v: u32, w: u32) -> VecDeque<Quarter> {
-        let t = &self.topology;
-        let (a, b) = (self.point(v), self.point(w));
-        let sees = |q: &Quarter| {
-            let (p, n) = (self.point(t.dest(*q)), self.point(t.apex(*q)));
-            orient2d(a, p, b) > 0 && orient2d(a, n, b) < 0 && orient2d(a, p, n) > 0
-        };
-        let mut crossing = VecDeque::new();
-        let first = t.ring(v).find(sees).map(|q| t.lnext(q));
-        let mut e =
-            first.expect("a straight line between vertices leaves the first between two edges");
-        loop {
-            crossing.push_back(e);
-            e = sym(e);
-            let apex = t.apex(e);
-            if apex == w {
-                return crossing;
-            }
-            e = if orient2d(a, b, self.point(apex)) < 0 {
-                t.lprev(e)
-            } else {
-                t.lnext(e)
-            };
-        }
     }
 }
 
