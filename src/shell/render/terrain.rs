@@ -309,3 +309,82 @@ fn smooth(from: f32, to: f32, value: f32) -> f32 {
     let t = ((value - from) / (to - from)).clamp(0.0, 1.0);
     t * t * (3.0 - 2.0 * t)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::model::VERTEX_WORDS;
+    use super::*;
+
+    /// A slab from the origin to a corner, in metres.
+    fn slab(width: i32, height: i32, material: Material) -> Vec<([Point; 3], Material)> {
+        let p = |x: i32, y: i32| Point::new(x << 16, y << 16);
+        let [a, b, c, d] = [p(0, 0), p(width, 0), p(width, height), p(0, height)];
+        vec![([a, b, c], material), ([a, c, d], material)]
+    }
+
+    fn places(model: &Model) -> Vec<Vec3> {
+        let place = |v: &[u32]| Vec3::from_array([0, 1, 2].map(|i| f32::from_bits(v[i])));
+        model.words.chunks_exact(VERTEX_WORDS).map(place).collect()
+    }
+
+    #[test]
+    fn near_the_plane_of_play_the_picture_ends_where_the_solid_ends() {
+        let places = places(&build(&slab(20, 3, Material::Masonry)));
+        assert!(places.len() > 500);
+        for p in &places {
+            let inside = (-1e-4..=20.0001).contains(&p.x) && (-1e-4..=3.0001).contains(&p.y);
+            assert!(inside, "{p}");
+        }
+        // The top is there all the way, from the front edge to behind the hero.
+        let top = |z: f32| {
+            places
+                .iter()
+                .filter(|p| p.y == 3.0 && (p.z - z).abs() < 1e-4)
+                .count()
+        };
+        assert!(top(EDGE) > 16 && top(FLAT_BACK) > 16);
+    }
+
+    #[test]
+    fn rock_leaves_its_outline_only_in_the_depth() {
+        let model = build(&slab(20, 3, Material::Rock));
+        let beyond = |p: &&Vec3| p.y > 3.0001 && p.z < FLAT_BACK - 0.5;
+        assert!(places(&model).iter().filter(beyond).count() > 20);
+        // Grass alone grows above the ground in front.
+        let high = |p: &Vec3| p.z > FLAT_BACK && p.y > 3.4;
+        assert!(!places(&model).iter().any(high));
+    }
+
+    #[test]
+    fn a_level_as_large_as_the_world_stays_within_bounds() {
+        let model = build(&slab(4000, 4000, Material::Rock));
+        assert!(places(&model).iter().all(|p| p.is_finite()));
+        assert!(
+            model.words.len() / VERTEX_WORDS < 2_000_000,
+            "{}",
+            model.words.len()
+        );
+    }
+
+    #[test]
+    fn a_wall_is_hidden_by_the_same_stone_and_open_to_the_air() {
+        let right = slab(4, 3, Material::Timber)
+            .into_iter()
+            .map(|(corners, material)| {
+                (corners.map(|p| Point::new(p.x + (20 << 16), p.y)), material)
+            });
+        let facets = Facets::new(
+            &slab(20, 3, Material::Rock)
+                .into_iter()
+                .chain(right)
+                .collect::<Vec<_>>(),
+        );
+        let behind: Vec<f32> = (0..facets.origin.len())
+            .map(|e| depth_behind(&facets, e))
+            .collect();
+        let count = |depth: f32| behind.iter().filter(|&&behind| behind == depth).count();
+        // Six borders; two diagonals, two sides each; between the materials each side ends where the other does.
+        assert_eq!((count(f32::INFINITY), count(f32::NEG_INFINITY)), (6, 4));
+        assert_eq!((count(SMALL[1].0), count(ROCK[4].0)), (1, 1));
+    }
+}
