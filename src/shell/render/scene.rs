@@ -58,7 +58,7 @@ impl Scene {
         let (things, lamps) = scenery::build(&stage.level);
         let water_words = water::corners(min, max, water);
         let mut scene = Scene {
-            gate: Some(scenery::gate_light(&stage.level, 1.6)),
+            gate: Some(scenery::gate_light(&stage.level, 0.9)),
             lamps,
             water,
             water_words,

@@ -56,7 +56,7 @@ pub fn gate_light(level: &Level, strength: f32) -> PointLight {
     PointLight {
         at: gate_foot(level) + Vec3::new(0.0, 2.3, 0.8),
         reach: 13.0,
-        colour: Vec3::new(0.35, 2.4, 2.1) * strength,
+        colour: Vec3::new(0.25, 1.7, 1.5) * strength,
     }
 }
 
