@@ -29,16 +29,16 @@ package_names() {
     case "$1:$2" in
         apt-get:compiler) echo g++ ;;
         apt-get:sdl2) echo libsdl2-dev ;;
-        apt-get:display) echo xvfb xauth xdotool ;;
+        apt-get:opengl) echo libegl1 libgl1-mesa-dri ;;
         dnf:compiler) echo gcc-c++ ;;
         dnf:sdl2) echo SDL2-devel ;;
-        dnf:display) echo xorg-x11-server-Xvfb xorg-x11-xauth xdotool ;;
+        dnf:opengl) echo mesa-libEGL mesa-libGL mesa-dri-drivers ;;
         pacman:compiler) echo gcc ;;
         pacman:sdl2) echo sdl2-compat ;;
-        pacman:display) echo xorg-server-xvfb xorg-xauth xdotool ;;
+        pacman:opengl) echo mesa ;;
         zypper:compiler) echo gcc-c++ ;;
         zypper:sdl2) echo SDL2-devel ;;
-        zypper:display) echo xorg-x11-server-Xvfb xauth xdotool ;;
+        zypper:opengl) echo Mesa-libEGL1 Mesa-libGL1 Mesa-dri ;;
         brew:sdl2) echo sdl2 ;;
         brew:compiler) die "no C++ compiler: run 'xcode-select --install', then this script again" ;;
     esac
@@ -48,8 +48,8 @@ package_names() {
 have() {
     case "$1" in
         compiler) have_commands cc c++ ;;
-        sdl2) links_with_sdl2 ;;
-        display) [[ "$(uname)" == Darwin ]] || have_commands xvfb-run xauth xdotool ;;
+        sdl2) links_with -lSDL2 ;;
+        opengl) [[ "$(uname)" == Darwin ]] || { links_with -l:libEGL.so.1 && have_mesa_driver; } ;;
     esac
 }
 
@@ -60,12 +60,22 @@ have_commands() {
     done
 }
 
-links_with_sdl2() {
+# links_with FLAG: whether a program can be linked with a library.
+links_with() {
     local program verdict=0
     program="$(mktemp)"
-    echo 'int main(void) { return 0; }' | cc -x c - -lSDL2 -o "$program" 2>/dev/null || verdict=1
+    echo 'int main(void) { return 0; }' | cc -x c - "$1" -o "$program" 2>/dev/null || verdict=1
     rm -f "$program"
     return $verdict
+}
+
+# Mesa can draw without a graphics card: what the tests draw with where there is none.
+have_mesa_driver() {
+    local folder
+    for folder in /usr/lib /usr/lib64 /usr/lib/*-linux-*; do
+        ! compgen -G "$folder/dri/*_dri.so" >/dev/null || return 0
+    done
+    return 1
 }
 
 # As root: directly, or through sudo.
@@ -111,7 +121,7 @@ need() {
     [[ ${#missing[@]} -gt 0 ]] || return 0
     if [[ -z "$manager" ]]; then
         die "missing: ${missing[*]}. This script knows apt-get, dnf, pacman, zypper and brew, and finds none of them." \
-            "Please install a C and C++ compiler, the development files of SDL2, and for the tests Xvfb, xauth and xdotool."
+            "Please install a C and C++ compiler, the development files of SDL2, and for the tests Mesa's EGL and software renderer."
     fi
     for thing in "${missing[@]}"; do
         local names
