@@ -37,25 +37,29 @@ pub struct App {
     pub overlay: Overlay,
     /// Keys and controllers.
     pub controls: Controls,
+    // The run: where its inputs come from and go to, and what it depends on beside them.
     pub(super) feed: Feed,
     pub(super) recorder: Option<Recorder>,
     pub(super) tuning: Tuning,
-    pub(super) tuning_file: Watch,
-    pub(super) level_file: Watch,
     pub(super) seed: u64,
+    // Time.
     pub(super) clock: TickClock,
     pub(super) paused: bool,
     pub(super) scale: f64,
     pub(super) quit: bool,
+    // Files that are read again when they change, and the levels to choose from.
+    pub(super) tuning_file: Watch,
+    pub(super) level_file: Watch,
     pub(super) levels: Vec<PathBuf>,
-    pub(super) stats: Stats,
-    pub(super) mesh_picture: MeshPicture,
-    pub(super) renderer: Renderer,
     shader_files: Watch,
     disk: Timer,
+    // The picture. The window comes last: what draws in it is dropped before it.
+    pub(super) stats: Stats,
+    pub(super) mesh_pictures: [MeshPicture; 2], // of the standing and of the crouched hero
+    pub(super) renderer: Renderer,
     wants_vsync: bool,
     focused: bool,
-    pub(super) platform: Platform, // last: what is drawn with goes before the window
+    pub(super) platform: Platform,
 }
 
 impl App {
@@ -100,7 +104,7 @@ impl App {
             levels: levels::list(),
             disk: Timer::default(),
             stats: Stats::default(),
-            mesh_picture: MeshPicture::default(),
+            mesh_pictures: Default::default(),
             renderer,
             wants_vsync: vsync,
             focused: true,
@@ -113,8 +117,14 @@ impl App {
     /// Plays until the game is left, then writes the recording and says what the run came to.
     ///
     /// # Errors
-    /// OpenGL fails, or the recording cannot be written.
+    /// OpenGL fails, or the recording cannot be written. It is written even if the picture failed.
     pub fn run(&mut self) -> Result<(), ShellError> {
+        let played = self.play_on();
+        played.and(self.finish())
+    }
+
+    /// The loop: frames, until somebody quits.
+    fn play_on(&mut self) -> Result<(), ShellError> {
         let mut limiter = FrameLimiter::new(self.platform.vsync);
         let mut last = Instant::now();
         while !self.quit {
@@ -127,7 +137,7 @@ impl App {
                 std::thread::sleep(wait);
             }
         }
-        self.finish()
+        Ok(())
     }
 
     /// What is done when the game is left.
@@ -180,7 +190,8 @@ impl App {
         self.clock.settle();
         let size = self.platform.pixels();
         for _ in 0..SETTLE_FRAMES {
-            self.poll_events();
+            // The window system wants its events taken, but none of them may pause the picture.
+            while self.platform.events.poll_event().is_some() {}
             self.draw()?;
         }
         let pixels = self.renderer.read_pixels(size);
@@ -189,6 +200,7 @@ impl App {
 
     /// Everything that has happened since the last frame, right before the ticks that shall react to it.
     fn poll_events(&mut self) {
+        // A field that has taken the keyboard since the last frame has taken the held keys as well.
         if self.overlay.typing() {
             self.controls.release_keys();
         }
@@ -215,6 +227,7 @@ impl App {
         self.platform.take_text(self.overlay.typing());
     }
 
+    /// A controller was plugged in; SDL announces it by its place in the list of devices.
     fn connect(&mut self, index: u32) {
         if let Err(reason) = self
             .controls
@@ -225,6 +238,7 @@ impl App {
         }
     }
 
+    /// Another window has the keyboard: it will get the releases of what is held now.
     fn lose_focus(&mut self) {
         self.focused = false;
         self.controls.release_all();
@@ -232,6 +246,7 @@ impl App {
         self.pause(true);
     }
 
+    /// What a key asks for depends on how things are.
     fn act(&mut self, action: Action) {
         match action {
             Action::Overlay => self.apply(Edit::Overlay(!self.overlay.open)),
@@ -245,7 +260,7 @@ impl App {
         }
     }
 
-    /// The ticks that are due.
+    /// The ticks that are due. Asking for a restart ends a pause; the end of a replay begins one.
     fn advance(&mut self, elapsed: Duration) {
         if self.paused && self.controls.wants_retry() {
             self.pause(false);
@@ -305,6 +320,7 @@ impl App {
         }
     }
 
+    /// How often a frame is enough.
     fn frame_time(&self) -> Duration {
         match (self.focused, self.wants_vsync) {
             (false, _) => IDLE_FRAME,

@@ -128,6 +128,7 @@ impl App {
         self.paused
     }
 
+    /// All changes of the tunables come through here, so that a recording knows of them.
     fn set_tuning(&mut self, tuning: Tuning) {
         self.tuning = tuning;
         if let Some(recorder) = &mut self.recorder
@@ -138,6 +139,7 @@ impl App {
         }
     }
 
+    /// Writes the file, and takes what was written for known: it is no change to be loaded again.
     fn save_tuning(&mut self) {
         let path = self.tuning_file.path().to_path_buf();
         match tuning::save(&path, &self.tuning) {
@@ -191,6 +193,7 @@ impl App {
         }
     }
 
+    /// What is left to do when the world has another stage.
     fn enter_stage(&mut self) {
         self.show_stage();
         if let Some(recorder) = &mut self.recorder
@@ -211,6 +214,7 @@ impl App {
         self.paused = paused;
     }
 
+    /// One tick, after which time stands still.
     fn step_once(&mut self) {
         self.pause(true);
         self.tick();

@@ -126,6 +126,7 @@ impl Controls {
         }
     }
 
+    /// A key may both move the hero and ask for something.
     fn key_down(&mut self, code: Scancode, keymod: Mod, typing: bool) -> Option<Action> {
         if typing && !ALWAYS.contains(&code) {
             return None;

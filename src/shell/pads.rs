@@ -105,6 +105,7 @@ impl Pads {
             .find(|pad| pad.device.instance_id() == which)
     }
 
+    /// Triggers and the right stick's way across mean nothing here.
     fn axis(&mut self, which: u32, axis: Axis, value: f64) {
         let Some(pad) = self.find(which) else { return };
         match axis {
@@ -115,6 +116,7 @@ impl Pads {
         }
     }
 
+    /// Held buttons are kept as they are: what they mean is asked for once per tick.
     fn button_down(&mut self, which: u32, button: Button) -> Change {
         let Some(pad) = self.find(which) else {
             return Change::default();

@@ -10,7 +10,7 @@ use crate::game::camera::Pose;
 use glam::{DVec2, DVec3};
 
 impl App {
-    /// The picture: the world, drawings over it, panels over those.
+    /// Draws the moment between the last two ticks; returns what was asked for in the panels.
     pub(super) fn draw(&mut self) -> Result<Vec<Edit>, ShellError> {
         let share = self.clock.share();
         let pixels = self.platform.pixels();
@@ -18,8 +18,8 @@ impl App {
         let covered = self.overlay.covered(&self.platform);
         let pose = beside(self.play.pose(share, &self.tuning), covered, pixels);
         let drawing = if self.overlay.open || self.overlay.show.mesh {
-            let (show, mesh) = (self.overlay.show, &self.mesh_picture);
-            Drawing::new(show, &self.play, mesh, &view, &pose).scaled_to(pixels.1)
+            let show = self.overlay.show;
+            Drawing::new(show, &self.play, self.mesh_picture(), &view, &pose).scaled_to(pixels.1)
         } else {
             Drawing::default()
         };
@@ -33,7 +33,11 @@ impl App {
         };
         self.renderer.draw(&frame, pixels);
         self.platform.show_mouse(self.overlay.open);
-        let is_over = self.feed.is_over();
+        let notice = if self.feed.is_over() {
+            "The replay is over"
+        } else {
+            "Paused"
+        };
         let info = Info {
             play: &self.play,
             view: &view,
@@ -41,16 +45,13 @@ impl App {
             tuning_path: self.tuning_file.path(),
             level_path: self.level_file.path(),
             levels: &self.levels,
-            mesh_size: self.mesh_picture.size(),
+            mesh_size: self.mesh_picture().size(),
             stats: &self.stats,
             notices: &self.notices,
             source: &self.feed.describe(self.recorder.as_ref()),
             paused: self.paused,
-            pause_notice: (!self.overlay.open).then_some(if is_over {
-                "The replay is over"
-            } else {
-                "Paused"
-            }),
+            // Whoever has the tools open wants to see the scene, and sees there that time stands still.
+            pause_notice: (!self.overlay.open).then_some(notice),
             scale: self.scale,
             pads: self.controls.pads().count(),
         };
@@ -61,7 +62,14 @@ impl App {
     pub(super) fn show_stage(&mut self) {
         let stage = self.play.world.stage();
         self.renderer.set_stage(stage);
-        self.mesh_picture = MeshPicture::new(&stage.stand, stage.level.features.len());
+        let features = stage.level.features.len();
+        self.mesh_pictures =
+            [&stage.stand, &stage.crouch].map(|mesh| MeshPicture::new(mesh, features));
+    }
+
+    /// The mesh that the hero moves in now.
+    fn mesh_picture(&self) -> &MeshPicture {
+        &self.mesh_pictures[usize::from(self.play.world.view().crouched)]
     }
 }
 

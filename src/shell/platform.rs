@@ -177,6 +177,7 @@ fn open_window(
     )))
 }
 
+/// A window and a context that fit the attributes set before.
 fn try_window(
     video: &VideoSubsystem,
     options: &WindowOptions,
@@ -197,6 +198,7 @@ fn try_window(
     Ok((window, context))
 }
 
+/// A driver may give less than was asked for.
 fn check_version(gl: &glow::Context) -> Result<(), ShellError> {
     let version = gl.version();
     if (version.major, version.minor) < (3, 3) || version.is_embedded {

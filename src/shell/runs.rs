@@ -129,13 +129,14 @@ pub enum Feed {
 impl Feed {
     /// The input of the next tick; `None` when a replay is over.
     pub fn next(&mut self, controls: &mut Controls) -> Option<Input> {
+        let live = controls.take(); // also during a replay, which shall not be followed by what was pressed in it
         let Feed::Replay {
             replay,
             entry,
             used,
         } = self
         else {
-            return Some(controls.take());
+            return Some(live);
         };
         let (ticks, input) = *replay.inputs.get(*entry)?;
         *used += 1;

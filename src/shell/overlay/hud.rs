@@ -34,6 +34,7 @@ impl Pen<'_> {
             ((self.left + self.size[0] - width) / 2.0).round(),
             (self.size[1] * height - line / 2.0).round(),
         ];
+        // Below and to both sides, softly: dark enough on a bright sky, no outline on a dark wall.
         let offset = (line / 16.0).max(1.0);
         for (dx, dy) in [(0.0, 1.0), (1.0, 0.0), (-1.0, 0.0), (1.0, 1.0)] {
             let shadow = [place[0] + dx * offset, place[1] + dy * offset];
@@ -101,6 +102,7 @@ fn beginning(pen: &Pen, fonts: Fonts, info: &Info) {
     }
 }
 
+/// That it is done, and how long it took.
 fn goal(pen: &Pen, fonts: Fonts, info: &Info, won: f64) {
     let alpha = ((info.view.time - won) / GOAL).clamp(0.0, 1.0) as f32;
     let time = clock(won - info.play.began_at);
@@ -115,6 +117,7 @@ fn goal(pen: &Pen, fonts: Fonts, info: &Info, won: f64) {
     );
 }
 
+/// That time stands still, and what one can do about it. Above the hero, who stands in the middle.
 fn pause(pen: &Pen, fonts: Fonts, info: &Info, reason: &str) {
     let keys = if info.pads > 0 {
         "Start  go on      Back  restart      Q  quit"
@@ -153,6 +156,7 @@ pub fn problems(ui: &Ui, info: &Info) {
         });
 }
 
+/// The keys, or the buttons if there is a controller: whoever plugs one in wants to play with it.
 fn hint(info: &Info) -> &'static str {
     if info.pads > 0 {
         "Stick  run      A  jump      B  crouch      Back  restart      Start  pause"

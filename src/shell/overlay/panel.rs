@@ -2,9 +2,10 @@
 
 use super::scene::Show;
 use super::style::{ALARM, FAINT, size};
-use super::{Info, stats, tunables};
+use super::{Info, MeshSize, stats, tunables};
 use crate::game::Stance;
 use crate::shell::edits::{Edit, Group, SCALES};
+use glam::DVec2;
 use imgui::{Condition, SliderFlags, TreeNodeFlags, Ui};
 use std::path::Path;
 
@@ -49,6 +50,7 @@ pub fn draw(ui: &Ui, panel: &mut Panel, info: &Info, show: &mut Show, edits: &mu
     }
 }
 
+/// The sections; those that are not needed all the time begin closed.
 fn sections(ui: &Ui, panel: &mut Panel, info: &Info, show: &mut Show, edits: &mut Vec<Edit>) {
     let begins_open = |label: &str| ui.collapsing_header(label, TreeNodeFlags::DEFAULT_OPEN);
     let begins_closed = |label: &str| ui.collapsing_header(label, TreeNodeFlags::empty());
@@ -63,10 +65,9 @@ fn sections(ui: &Ui, panel: &mut Panel, info: &Info, show: &mut Show, edits: &mu
     }
     if begins_open("Tunables") {
         tunables::file_bar(ui, info.tuning, info.tuning_path, edits);
-        ui.set_next_item_width(-1.0);
-        ui.input_text("##filter", &mut panel.filter)
-            .hint("filter by name or sentence")
-            .build();
+        ui.set_next_item_width(-1.0); // as wide as the panel
+        let filter = ui.input_text("##filter", &mut panel.filter);
+        filter.hint("filter by name or sentence").build();
         for titled in [("Motion", Group::Motion), ("Camera", Group::Camera)] {
             tunables::rows(ui, titled, info.tuning, &panel.filter, edits);
         }
@@ -82,48 +83,37 @@ fn sections(ui: &Ui, panel: &mut Panel, info: &Info, show: &mut Show, edits: &mu
     }
 }
 
-/// Pause, step, speed, restart, quit.
+/// What is done with the run as a whole, each with its key as a tip.
 fn time(ui: &Ui, info: &Info, edits: &mut Vec<Edit>) {
-    let button = |label: &str, tip: &str| {
-        let pressed = ui.button(label);
+    let pause = if info.paused { "Go on" } else { "Pause" };
+    for (label, key, edit) in [
+        (pause, "P", Edit::Pause(!info.paused)),
+        ("Step", "One tick: full stop", Edit::Step),
+        ("Restart", "R", Edit::Restart),
+        ("Fullscreen", "F11", Edit::Fullscreen),
+        ("Quit", "Esc, then Q", Edit::Quit),
+    ] {
+        // What is behind the triple hash names the button, so that it stays the same one when its label changes.
+        let id = if label == pause { "###pause" } else { "" };
+        if ui.button(format!("{label}{id}")) {
+            edits.push(edit);
+        }
         if ui.is_item_hovered() {
-            ui.tooltip_text(tip);
+            ui.tooltip_text(key);
         }
         ui.same_line();
-        pressed
-    };
-    if button(
-        if info.paused {
-            "Go on##pause"
-        } else {
-            "Pause##pause"
-        },
-        "P",
-    ) {
-        edits.push(Edit::Pause(!info.paused));
-    }
-    if button("Step", "One tick: full stop") {
-        edits.push(Edit::Step);
-    }
-    if button("Restart", "R") {
-        edits.push(Edit::Restart);
-    }
-    if button("Fullscreen", "F11") {
-        edits.push(Edit::Fullscreen);
-    }
-    if button("Quit", "Esc, then Q") {
-        edits.push(Edit::Quit);
     }
     ui.new_line();
-    let mut scale = info.scale;
+    speed(ui, info.scale, edits);
+}
+
+/// How fast time runs: evenly slower to the left and faster to the right.
+fn speed(ui: &Ui, mut scale: f64, edits: &mut Vec<Edit>) {
     ui.set_next_item_width(size(ui, 12.0));
-    let slider = ui.slider_config("##scale", *SCALES.start(), *SCALES.end());
     let flags = SliderFlags::LOGARITHMIC | SliderFlags::ALWAYS_CLAMP;
-    if slider
-        .display_format("speed × %.2f")
-        .flags(flags)
-        .build(&mut scale)
-    {
+    let slider = ui.slider_config("##scale", *SCALES.start(), *SCALES.end());
+    let slider = slider.display_format("speed × %.2f").flags(flags);
+    if slider.build(&mut scale) {
         edits.push(Edit::Scale(scale));
     }
     ui.same_line();
@@ -133,6 +123,7 @@ fn time(ui: &Ui, info: &Info, edits: &mut Vec<Edit>) {
     ui.spacing();
 }
 
+/// What is broken, in full.
 fn problems(ui: &Ui, info: &Info) {
     let _wrap = ui.push_text_wrap_pos();
     for (topic, reason) in info.notices.problems() {
@@ -148,47 +139,36 @@ fn value(ui: &Ui, name: &str, text: impl AsRef<str>) {
     ui.text(text);
 }
 
+/// The state at the last tick, not at the moment that is drawn: that is what the hash and the replays are about.
 fn hero(ui: &Ui, info: &Info) {
-    let view = info.play.world.view();
+    let world = &info.play.world;
+    let view = world.view();
     let stance = match view.stance {
         Stance::Air => "in the air",
         Stance::Ground => "on the ground",
         Stance::Slide => "sliding",
         Stance::Wedge => "wedged",
     };
-    value(
-        ui,
-        "Stance",
-        format!("{stance}{}", if view.crouched { ", crouched" } else { "" }),
-    );
-    value(
-        ui,
-        "Position",
-        format!("{:9.4}  {:9.4} m", view.position.x, view.position.y),
-    );
-    let speed = view.velocity.length();
-    value(
-        ui,
-        "Velocity",
-        format!(
-            "{:7.3}  {:7.3}  |{speed:.3}| m/s",
-            view.velocity.x, view.velocity.y
+    let size = if view.crouched { ", crouched" } else { "" };
+    let (DVec2 { x, y }, velocity) = (view.position, view.velocity);
+    let speed = velocity.length();
+    let (tick, rate, time) = (world.tick(), world.tick_rate(), view.time);
+    for (name, text) in [
+        ("Stance", format!("{stance}{size}")),
+        ("Position", format!("{x:9.4}  {y:9.4} m")),
+        (
+            "Velocity",
+            format!("{:7.3}  {:7.3}  |{speed:.3}| m/s", velocity.x, velocity.y),
         ),
-    );
-    value(
-        ui,
-        "Tick",
-        format!(
-            "{} at {} Hz, {:.3} s",
-            info.play.world.tick(),
-            info.play.world.tick_rate(),
-            view.time
-        ),
-    );
-    value(ui, "Hash", format!("{:016x}", info.play.world.hash()));
-    value(ui, "Input", info.source);
+        ("Tick", format!("{tick} at {rate} Hz, {time:.3} s")),
+        ("Hash", format!("{:016x}", world.hash())),
+        ("Input", info.source.to_owned()),
+    ] {
+        value(ui, name, text);
+    }
 }
 
+/// Switches for what is drawn over the scene, in two columns.
 fn drawings(ui: &Ui, show: &mut Show) {
     let second = size(ui, 12.0);
     ui.checkbox("Motion mesh", &mut show.mesh);
@@ -202,22 +182,26 @@ fn drawings(ui: &Ui, show: &mut Show) {
     ui.checkbox("Hide the world", &mut show.hide_world);
 }
 
+/// How much there is of the mesh that the hero moves in: it has another one when he crouches.
 fn mesh(ui: &Ui, info: &Info) {
-    let size = info.mesh_size;
-    value(ui, "Vertices", size.vertices.to_string());
-    value(ui, "Edges", size.edges.to_string());
-    value(ui, "Faces", format!("{}, {} solid", size.faces, size.solid));
-    value(ui, "Features", size.features.to_string());
+    let MeshSize {
+        vertices,
+        edges,
+        faces,
+        solid,
+        features,
+    } = info.mesh_size;
+    value(ui, "Vertices", vertices.to_string());
+    value(ui, "Edges", edges.to_string());
+    value(ui, "Faces", format!("{faces}, {solid} solid"));
+    value(ui, "Features", features.to_string());
 }
 
+/// The levels; a click plays one from its start.
 fn levels(ui: &Ui, info: &Info, edits: &mut Vec<Edit>) {
     for path in info.levels {
-        let is_current = path == info.level_path;
-        if ui
-            .selectable_config(label(path))
-            .selected(is_current)
-            .build()
-        {
+        let entry = ui.selectable_config(label(path));
+        if entry.selected(path == info.level_path).build() {
             edits.push(Edit::OpenLevel(path.clone()));
         }
     }

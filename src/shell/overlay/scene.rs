@@ -94,6 +94,7 @@ impl MeshPicture {
         self.size
     }
 
+    /// What meets the window; in a large level that is little of the mesh.
     fn draw(&self, window: (DVec2, DVec2), out: &mut Drawing) {
         for corners in self.solid.iter().filter(|corners| meets(window, *corners)) {
             out.tris.push(Tri {
@@ -134,6 +135,7 @@ fn is_first(mesh: &Mesh, edge: EdgeId) -> bool {
     edge < other || mesh.left(other).is_none()
 }
 
+/// Ends and kind of an edge.
 fn describe(mesh: &Mesh, edge: EdgeId) -> (DVec2, DVec2, Kind) {
     let end = |v| mesh.point(v).metres();
     let kind = if mesh.blocks(edge) || mesh.blocks(mesh.sym(edge)) {
@@ -190,6 +192,7 @@ impl Drawing {
         self
     }
 
+    /// The discrete place, which is the truth about where the hero is: his face, and the edge or vertex he is on.
     fn place(&mut self, world: &World) {
         let (mesh, hero) = (world.mesh(), world.hero());
         let corners = mesh.corners(hero.face(mesh)).map(|p| at(p.metres()));
@@ -215,6 +218,7 @@ impl Drawing {
         }
     }
 
+    /// The path of the last second up to the moment that is drawn, fading towards its beginning.
     fn path(&mut self, play: &Play, view: &View) {
         let points: Vec<DVec2> = play
             .trail()
@@ -229,6 +233,7 @@ impl Drawing {
         }
     }
 
+    /// An arrow with a head of fixed size; one without length has none.
     fn arrow(&mut self, from: DVec2, along: DVec2, colour: [f32; 4]) {
         let to = from + along;
         self.line(from, to, colour, 3.0);

@@ -47,6 +47,7 @@ pub fn section(ui: &Ui, stats: &Stats) {
     graph(ui, "Events per tick", "", &stats.events, 2);
 }
 
+/// A line over the last frames, from 0 to a little above the largest value, with the figures beside its name.
 fn graph(ui: &Ui, name: &str, unit: &str, series: &Series, digits: usize) {
     let (mean, top) = series.summary();
     ui.text(name);

@@ -9,6 +9,7 @@ pub const FAINT: [f32; 4] = [0.60, 0.65, 0.72, 1.0];
 /// What is wrong.
 pub const ALARM: [f32; 4] = [1.0, 0.48, 0.40, 1.0];
 
+// From the ground up: behind everything, fields and buttons, what the mouse is on.
 const SLATE: [f32; 3] = [0.085, 0.105, 0.14];
 const STONE: [f32; 3] = [0.17, 0.205, 0.26];
 const LIGHT: [f32; 3] = [0.29, 0.35, 0.44];
@@ -40,6 +41,7 @@ pub fn make(base: &Style, scale: f32) -> Style {
     style
 }
 
+/// Every colour that differs from ImGui's dark ones. They are as on the screen (sRGB), with opacity.
 fn colours(style: &mut Style) {
     let solid = |[r, g, b]: [f32; 3], a: f32| [r, g, b, a];
     let [r, g, b, _] = ACCENT;

@@ -78,7 +78,7 @@ pub fn rows(
     }
 }
 
-/// One row; the new value, if it was changed.
+/// One row: the name, the control, and a button that takes a change back. The new value, if it was changed.
 fn row(ui: &Ui, meta: &Meta, value: f64) -> Option<f64> {
     let is_changed = value != meta.default;
     ui.align_text_to_frame_padding();
@@ -139,6 +139,7 @@ fn explain(ui: &Ui, meta: &Meta) {
     });
 }
 
+/// A number: drawn to as many digits as its range needs, typed to any. What is typed is held to the range as well.
 fn slider(ui: &Ui, meta: &Meta, value: f64) -> Option<f64> {
     let range = meta.max - meta.min;
     let digits = if range <= 2.0 {
@@ -162,6 +163,7 @@ fn slider(ui: &Ui, meta: &Meta, value: f64) -> Option<f64> {
     has_changed.then_some(edited)
 }
 
+/// One of a few names; the value is its place among them.
 fn choice(ui: &Ui, meta: &Meta, value: f64) -> Option<f64> {
     let mut index = (value.round() as usize).min(meta.choices.len() - 1);
     let has_changed = ui.combo_simple_string("##value", &mut index, meta.choices);
