@@ -21,7 +21,9 @@ struct Studio {
     folder: PathBuf,
 }
 
-const TESTS: &[(&str, fn(&Studio))] = &[
+type Test = (&'static str, fn(&Studio));
+
+const TESTS: &[Test] = &[
     ("a picture has many colours", a_picture_has_many_colours),
     ("the same moment gives the same picture", the_same_moment),
     ("the hero is seen", the_hero_is_seen),
