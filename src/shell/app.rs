@@ -301,6 +301,11 @@ impl App {
         self.platform.event_sender()
     }
 
+    /// Puts the mouse at a point of the window, as a hand would.
+    pub fn move_mouse(&self, x: i32, y: i32) {
+        self.platform.move_mouse(x, y);
+    }
+
     /// Reads again what has changed on disk; what is broken says why, and the last good state goes on.
     fn reload_changed(&mut self) {
         if self.overlay.open {

@@ -114,6 +114,11 @@ impl Platform {
         }
     }
 
+    /// Puts the mouse at a point of the window.
+    pub fn move_mouse(&self, x: i32, y: i32) {
+        self.sdl.mouse().warp_mouse_in_window(&self.window, x, y);
+    }
+
     /// Lets the system compose text from keys, or stops that.
     pub fn take_text(&self, take: bool) {
         let text = self.video.text_input();

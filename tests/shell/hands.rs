@@ -6,6 +6,7 @@ use edgewalker::shell::notices::Topic;
 use edgewalker::tune::Motion;
 use sdl2::event::Event;
 use sdl2::keyboard::{Mod, Scancode};
+use sdl2::mouse::MouseButton;
 use std::path::Path;
 use std::time::Duration;
 
@@ -92,4 +93,42 @@ pub fn index_of(name: &str) -> usize {
 pub fn has_problem(app: &App, topic: Topic, words: &[&str]) -> bool {
     let problem = app.notices.problems().iter().find(|(t, _)| *t == topic);
     problem.is_some_and(|(_, text)| words.iter().all(|word| text.contains(word)))
+}
+
+/// Presses the left mouse button, or lets it go.
+pub fn button(app: &App, down: bool) {
+    let (timestamp, window_id, which, mouse_btn) = (0, 0, 0, MouseButton::Left);
+    let (clicks, x, y) = (1, 0, 0); // where the mouse is counts, not where the event says it was
+    let event = if down {
+        Event::MouseButtonDown {
+            timestamp,
+            window_id,
+            which,
+            mouse_btn,
+            clicks,
+            x,
+            y,
+        }
+    } else {
+        Event::MouseButtonUp {
+            timestamp,
+            window_id,
+            which,
+            mouse_btn,
+            clicks,
+            x,
+            y,
+        }
+    };
+    app.event_sender().push_event(event).unwrap();
+}
+
+/// Clicks at a point, with the frames that a hand would take.
+pub fn click(app: &mut App, (x, y): (i32, i32)) {
+    app.move_mouse(x, y);
+    frames(app, 2);
+    button(app, true);
+    frames(app, 2);
+    button(app, false);
+    frames(app, 2);
 }

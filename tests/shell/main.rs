@@ -28,6 +28,11 @@ const TESTS: &[Test] = &[
         tools::a_tunable_acts,
     ),
     (
+        "a field takes the keyboard, and gives it back",
+        tools::a_field_takes_the_keyboard,
+    ),
+    ("a slider is dragged", tools::a_slider_is_dragged),
+    (
         "tuning is saved and loaded",
         tools::tuning_is_saved_and_loaded,
     ),

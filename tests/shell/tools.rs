@@ -1,6 +1,9 @@
 //! The overlay's tools, and files that change under the running game.
 
-use super::hands::{FLAT, frames, has_problem, index_of, key, open, options, tap, with_tuning};
+use super::hands::{
+    FLAT, button, click, frames, has_problem, index_of, key, open, options, tap, with_tuning,
+};
+use edgewalker::cli::Options;
 use edgewalker::game::Stance;
 use edgewalker::shell::app::App;
 use edgewalker::shell::edits::{Edit, Group};
@@ -63,6 +66,82 @@ pub fn a_tunable_acts(_: &Path) {
     assert_eq!(*app.tuning(), Tuning::default());
     tap(&mut app, Scancode::F1);
     assert!(!app.overlay.open);
+}
+
+/// Where things are in the panel of a picture of 1280 by 720.
+const FILTER: (i32, i32) = (200, 421);
+const FIRST_SLIDER: (i32, i32) = (177, 467);
+const BESIDE_THE_PANEL: (i32, i32) = (900, 300);
+
+fn with_panel() -> App {
+    let mut app = open(&Options {
+        size: Some((1280, 720)),
+        overlay: true,
+        ..options(FLAT)
+    });
+    frames(&mut app, 3);
+    app
+}
+
+pub fn a_field_takes_the_keyboard(_: &Path) {
+    let mut app = with_panel();
+    key(&app, Scancode::D, true);
+    frames(&mut app, 10);
+    assert!(app.play.world.view().velocity.x > 0.0);
+    click(&mut app, FILTER);
+    assert!(app.overlay.typing());
+    frames(&mut app, 30);
+    let there = app.play.world.view();
+    assert_eq!(
+        there.velocity.x, 0.0,
+        "held keys are let go when a field takes the keyboard"
+    );
+    for code in [
+        Scancode::A,
+        Scancode::Space,
+        Scancode::P,
+        Scancode::R,
+        Scancode::Period,
+    ] {
+        tap(&mut app, code);
+        frames(&mut app, 5);
+    }
+    let now = app.play.world.view();
+    assert_eq!((now.position, now.stance), (there.position, there.stance));
+    assert!(!app.is_paused() && now.time > there.time);
+    tap(&mut app, Scancode::Escape); // leaves the field, and asks the game for nothing
+    frames(&mut app, 3);
+    assert!(!app.overlay.typing() && !app.is_paused());
+    key(&app, Scancode::A, true);
+    frames(&mut app, 5);
+    assert!(
+        app.play.world.view().velocity.x < 0.0,
+        "the keyboard is the game's again"
+    );
+}
+
+pub fn a_slider_is_dragged(_: &Path) {
+    let mut app = with_panel();
+    let usual = app.tuning().motion.run_speed;
+    app.move_mouse(FIRST_SLIDER.0, FIRST_SLIDER.1);
+    frames(&mut app, 2);
+    button(&app, true);
+    frames(&mut app, 2);
+    for step in 1..=10 {
+        app.move_mouse(FIRST_SLIDER.0 + 10 * step, FIRST_SLIDER.1);
+        frames(&mut app, 1);
+    }
+    button(&app, false);
+    frames(&mut app, 2);
+    let dragged = app.tuning().motion.run_speed;
+    assert!(dragged > 2.0 * usual, "{usual} {dragged}");
+    click(&mut app, BESIDE_THE_PANEL);
+    key(&app, Scancode::D, true);
+    frames(&mut app, 30);
+    assert!(
+        app.play.world.view().velocity.x > usual,
+        "what was dragged is felt"
+    );
 }
 
 pub fn tuning_is_saved_and_loaded(folder: &Path) {
