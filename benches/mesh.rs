@@ -23,7 +23,7 @@ fn main() {
 }
 
 /// Half-width of the square that the polygons lie in, in metres.
-const HALF: f64 = 250.0;
+const HALF: f64 = 195.0;
 
 /// 1e4 overlapping octagons of radius 0.5 to 4: about 112 thousand vertices with the crossings.
 fn features() -> Vec<Vec<ExpandedEdge>> {
@@ -44,7 +44,7 @@ fn build_10_000_polygons(bencher: Bencher) {
 }
 
 #[divan::bench(sample_count = 20)]
-fn build_quarter_of_slopes_by_hero(bencher: Bencher) {
+fn build_250_slopes_for_the_hero(bencher: Bencher) {
     let world = worlds::slopes(&mut Dice::new(2), 250);
     let features = worlds::expanded(&worlds::snapped(&world), &Collider::hero());
     bencher.bench_local(|| Mesh::build(black_box(&features)).unwrap());

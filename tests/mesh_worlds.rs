@@ -9,6 +9,7 @@ use common::worlds::{self, Dice, wire};
 use edgewalker::geom::{BOUND, Collider, ExpandedEdge, Point, Source, expand};
 use edgewalker::mesh::{Mesh, MeshError};
 use glam::DVec2;
+use std::path::Path;
 
 /// Segments by their coordinates, in metres.
 type Vectors = &'static [[f64; 4]];
@@ -217,7 +218,7 @@ fn try_world(outlines: &[Vec<Point>], collider: &Collider, story: &dyn std::fmt:
 #[test]
 fn families_are_sound_at_offsets_up_to_1000() {
     for (name, family, n, collider) in families() {
-        for seed in 0..15 {
+        for seed in 0..100 {
             let world = family(&mut Dice::new(seed), n);
             for x in [0.0, 1.0 / 3.0, 300.0, 1000.0] {
                 let moved = worlds::placed(&world, DVec2::new(x, x / 2.0), 0.0);
@@ -327,29 +328,48 @@ fn what_cannot_go_in_is_named_and_changes_nothing() {
     );
 }
 
+/// The outlines of a shipped level, in metres.
+fn level_outlines(file: &Path) -> Vec<worlds::Outline> {
+    let level = edgewalker::level::load(file).unwrap_or_else(|e| panic!("{e}"));
+    level.features.into_iter().map(|f| f.outline).collect()
+}
+
 #[test]
 fn shipped_levels_are_sound_for_all_colliders() {
-    let folders = ["levels", "levels/dev"]
-        .map(|folder| std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(folder));
-    let files = folders
+    let folders =
+        ["levels", "levels/dev"].map(|folder| Path::new(env!("CARGO_MANIFEST_DIR")).join(folder));
+    let entries = folders
         .iter()
-        .flat_map(|folder| std::fs::read_dir(folder).unwrap())
-        .map(|entry| entry.unwrap().path());
+        .flat_map(|folder| std::fs::read_dir(folder).unwrap());
+    let files = entries.map(|entry| entry.unwrap().path());
     let mut seen = 0;
     for file in files.filter(|file| file.extension().is_some_and(|e| e == "ron")) {
-        let level = edgewalker::level::load(&file).unwrap_or_else(|e| panic!("{e}"));
-        let outlines: Vec<worlds::Outline> =
-            level.features.iter().map(|f| f.outline.clone()).collect();
-        let outlines = worlds::snapped(&outlines);
-        assert_eq!(outlines.len(), level.features.len());
+        let outlines = level_outlines(&file);
+        let on_grid = worlds::snapped(&outlines);
+        assert_eq!(
+            on_grid.len(),
+            outlines.len(),
+            "{file:?}: all outlines are simple"
+        );
         for collider in [
             Collider::hero(),
             Collider::hero_crouched(),
             Collider::point(),
         ] {
-            try_world(&outlines, &collider, &file);
+            try_world(&on_grid, &collider, &file);
         }
         seen += 1;
     }
     assert!(seen > 1, "{seen} levels");
+}
+
+/// A real map, expanded and turned: the family on which every library with rounded coordinates fails.
+#[test]
+fn the_quarry_is_sound_at_50_rotations() {
+    let quarry = level_outlines(&Path::new(env!("CARGO_MANIFEST_DIR")).join("levels/quarry.ron"));
+    for i in 0..50 {
+        let turned = worlds::snapped(&worlds::placed(&quarry, DVec2::ZERO, f64::from(i) * 0.1257));
+        assert_eq!(turned.len(), quarry.len(), "turned outlines stay simple");
+        try_world(&turned, &Collider::hero(), &i);
+    }
 }
