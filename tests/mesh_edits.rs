@@ -4,7 +4,7 @@ mod common;
 
 use common::soups::{covers_agree, polygons, segment, small_collider, sound};
 use common::worlds::{Dice, wire};
-use edgewalker::geom::{Collider, ExpandedEdge, Point, check_outline, expand};
+use edgewalker::geom::{Collider, ExpandedEdge, Point, Source, check_outline, expand};
 use edgewalker::mesh::{FeatureId, Mesh};
 use std::collections::BTreeSet;
 
@@ -180,6 +180,23 @@ fn opposite_duplicates_cancel_and_leave_nothing_behind() {
     );
     mesh.remove(9).unwrap();
     assert_eq!(mesh.hash(), before);
+}
+
+#[test]
+fn wires_whose_edges_share_a_source_are_told_apart_by_their_ends() {
+    let source = Source::Edge { edge: 0 };
+    let (p, q) = (Point::new(0, 0), Point::new(9, 4));
+    let both = [(p, q), (q, p)].map(|(a, b)| ExpandedEdge { a, b, source });
+    let other = wire(&[(Point::new(3, -5), Point::new(4, 9))]);
+    let expected = Mesh::build(&[both.to_vec(), other.clone()]).unwrap().hash();
+    // Ids that were given away in another order come back in another order.
+    let mut mesh = Mesh::build(&[other.clone(), other.clone(), other.clone()]).unwrap();
+    for id in [0, 1, 2] {
+        mesh.remove(id).unwrap();
+    }
+    mesh.insert(0, &both).unwrap();
+    mesh.insert(1, &other).unwrap();
+    assert_eq!(mesh.hash(), expected);
 }
 
 #[test]

@@ -179,11 +179,11 @@ fn metres(m: f64) -> i32 {
     (m / STEP) as i32
 }
 
-/// One corner of the outline, or one edge, as the convolution sees it.
+/// An outline on its way around a collider. Its corners and edges are counted counter-clockwise here.
 struct Walker<'a> {
     outline: &'a [Point],
     collider: &'a Collider,
-    /// Outline indices in counter-clockwise order.
+    /// Whether the outline was given clockwise.
     reversed: bool,
 }
 

@@ -170,9 +170,8 @@ impl Mesh {
             format!("{pieces} pieces of chains, {uses} uses of edges")
         })?;
         for q in self.topology().edges() {
-            let key = |s: SegmentId| (self.segment(s).feature, self.segment(s).source, s);
-            let keys: Vec<_> = self.uses.of(q).map(|u| key(u.segment)).collect();
-            ensure(keys.is_sorted(), || {
+            let ranks = self.uses.of(q).map(|u| self.segment(u.segment).rank());
+            ensure(ranks.is_sorted(), || {
                 format!("edge {q}: its uses are not in order")
             })?;
         }

@@ -15,6 +15,7 @@ impl Mesh {
         hash.digest()
     }
 
+    /// Triangles in order of their corners, each with its cover.
     fn hash_faces(&self, hash: &mut Xxh3) {
         let mut faces: Vec<_> = self
             .faces()
@@ -32,6 +33,8 @@ impl Mesh {
         }
     }
 
+    /// Edges in use in order of their ends, from the smaller to the larger, each with what runs along it. Uses
+    /// are listed by feature, source and ends, so nothing is left to sort.
     fn hash_edges(&self, hash: &mut Xxh3) {
         let t = self.topology();
         let rightward = |q: u32| {

@@ -81,6 +81,13 @@ pub struct Segment {
     pub source: Source,
 }
 
+impl Segment {
+    /// Orders feature edges by what they are and not by their ids.
+    fn rank(&self) -> (FeatureId, Source, Point, Point) {
+        (self.feature, self.source, self.a, self.b)
+    }
+}
+
 /// A feature edge that runs along a mesh edge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Use {
@@ -317,7 +324,7 @@ impl Mesh {
         self.covers.features(f.0)
     }
 
-    /// The feature edges that run along a mesh edge, by feature and source.
+    /// The feature edges that run along a mesh edge, by feature, source and ends: an order that edits elsewhere do not change.
     pub fn uses(&self, e: EdgeId) -> impl Iterator<Item = Use> + '_ {
         self.uses.of(e.0)
     }

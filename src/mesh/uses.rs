@@ -1,6 +1,6 @@
 //! Provenance of edges: which feature edges run along each mesh edge, with direction and multiplicity.
 //!
-//! Lists are linked through one slab, sorted by feature and source: their order is a property of
+//! Lists are linked through one slab, sorted by feature, source and ends: their order is a property of
 //! the set of features and not of how the mesh came about.
 
 use super::topology::{NONE, Quarter};
@@ -33,7 +33,7 @@ impl Uses {
         self.head(e) == NONE
     }
 
-    /// The uses of an edge, by feature and source, with directions relative to `e`.
+    /// The uses of an edge, by feature, source and ends, with directions relative to `e`.
     pub fn of(&self, e: Quarter) -> impl Iterator<Item = Use> + '_ {
         let mut at = self.head(e);
         let along = e & 2 == 0;
@@ -52,15 +52,9 @@ impl Uses {
         if self.heads.len() <= (e >> 2) as usize {
             self.heads.resize((e >> 2) as usize + 1, NONE);
         }
-        let key = |s: SegmentId| {
-            (
-                segments[s.0 as usize].feature,
-                segments[s.0 as usize].source,
-                s,
-            )
-        };
+        let rank = |s: SegmentId| segments[s.index()].rank();
         let (mut before, mut at) = (NONE, self.head(e));
-        while at != NONE && key(self.links[at as usize].segment) < key(segment) {
+        while at != NONE && rank(self.links[at as usize].segment) < rank(segment) {
             (before, at) = (at, self.links[at as usize].next);
         }
         let link = Link {
