@@ -63,8 +63,19 @@ impl CameraState {
             *self = CameraState::new(view);
             return;
         }
-        let before = self.anchor;
-        self.anchor = anchor(before, view, tuning.dead_zone_y);
+        let mut before = self.anchor;
+        let held = held_height(before.y, view, tuning.dead_zone_y);
+        let has_landed = self.last.stance == Stance::Air && view.stance != Stance::Air;
+        if has_landed {
+            // The anchor jumps to the foot. The lead takes that up, so that the aim does not jump but drifts.
+            let jump = view.position.y - held;
+            self.lead.y -= jump;
+            before.y += jump;
+        }
+        self.anchor = match view.stance {
+            Stance::Air => DVec2::new(view.position.x, held),
+            Stance::Ground | Stance::Slide | Stance::Wedge => view.position,
+        };
         let asked = DVec2::new(0.0, look.clamp(-1.0, 1.0) * tuning.look);
         let wished = asked + wished_lead(view, self.anchor.y != before.y, tuning);
         let rates = DVec2::new(tuning.stiffness_x, tuning.stiffness_y);
@@ -107,13 +118,10 @@ impl CameraState {
     }
 }
 
-/// The hero's place, but in the air its height changes only when he leaves the dead zone about it.
-fn anchor(before: DVec2, view: &View, dead_zone: f64) -> DVec2 {
-    let DVec2 { x, y } = view.position;
-    match view.stance {
-        Stance::Air => DVec2::new(x, before.y.clamp(y - dead_zone, y + dead_zone)),
-        Stance::Ground | Stance::Slide | Stance::Wedge => DVec2::new(x, y),
-    }
+/// The anchor's height in the air: it changes only when the hero leaves the dead zone about it.
+fn held_height(before: f64, view: &View, dead_zone: f64) -> f64 {
+    let y = view.position.y;
+    before.clamp(y - dead_zone, y + dead_zone)
 }
 
 /// How far ahead of the anchor the aim should be drawn: the tuned lead, and what the filter will lag behind an even
