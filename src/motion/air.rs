@@ -56,19 +56,30 @@ impl Air {
         if !blocks {
             return Some(over_piece);
         }
-        let touched = mesh
-            .uses(e)
-            .find(|u| !u.forward && self.touching.contains(&Some(u.segment)));
-        match touched {
-            None => Some(over_piece),
-            // Its pieces may point anywhere. It is hit only by coming down on the feature edge again.
-            Some(u) => {
-                let (c, b, q) =
-                    Track::of(mesh.segment(u.segment)).height(self.p0, self.v0, self.accel);
-                let (c, b) = if c <= 0.0 { (0.0, b.max(0.0)) } else { (c, b) };
-                Some(over_piece.max(exit(c, b, q, self.since)?))
-            }
+        let uses = || mesh.uses(e).filter(|u| !u.forward);
+        let touches = |s: SegmentId| self.touching.contains(&Some(s));
+        let Some(left) = uses().find(|u| touches(u.segment)) else {
+            return Some(over_piece);
+        };
+        // Others that share the piece and face the same way are within a step of the one that was left.
+        let normal = |s: SegmentId| Track::of(mesh.segment(s)).normal;
+        let across = |s: SegmentId| normal(s).dot(normal(left.segment)) < 0.5;
+        if uses().any(|u| !touches(u.segment) && across(u.segment)) {
+            return Some(over_piece);
         }
+        self.comes_back_to(mesh, left.segment)
+            .map(|at| over_piece.max(at))
+    }
+
+    /// When a feature edge is hit that was just left, whatever the pieces say: they may point anywhere. Heights over it within
+    /// a step are rounding and count as none, unless they grow or shrink.
+    fn comes_back_to(&self, mesh: &Mesh, segment: SegmentId) -> Option<f64> {
+        let track = Track::of(mesh.segment(segment));
+        let (c, b, q) = track.height(self.p0, self.v0, self.accel);
+        let on_it = (-STEP..=0.0).contains(&c);
+        let along = on_it && b.abs() <= 16.0 * f64::EPSILON * self.v0.length();
+        let (c, b) = (if on_it { 0.0 } else { c }, if along { 0.0 } else { b });
+        exit(c, b, q, self.since)
     }
 
     /// Signed area distance to the line from `from` to `to`, positive on its left, and its derivatives: c, b, e of [`exit`].
@@ -93,7 +104,8 @@ impl Air {
         let (c, b, q) = Track::of(mesh.segment(s)).height(self.p0, self.v0, self.accel);
         let moved =
             |there: f64| (self.position(self.t0 + there) - self.position(self.t0 + dt)).length();
-        exit(c.max(0.0), b, q, self.since)
+        let c = if c >= -STEP { c.max(0.0) } else { c };
+        exit(c, b, q, self.since)
             .filter(|&there| moved(there) <= DISPLACED)
             .unwrap_or(dt)
     }
@@ -228,7 +240,8 @@ impl Body {
                 on.track.tangent * on.u0,
                 self.face(terrain.mesh(self.size)),
             );
-            self.fly(self.position(), v, face, [Some(segment), None]);
+            let p = on.take_off_point(self.time, terrain.mesh(self.size));
+            self.fly(p, v, face, [Some(segment), None]);
             self.log(EventKind::Parted, trace);
         }
     }

@@ -46,6 +46,7 @@ fn in_face(body: &Body, mesh: &Mesh) -> Result<(), String> {
     };
     let p = body.position();
     let slack = rounding(body);
+    let touches = |s: SegmentId| air.touching.contains(&Some(s));
     let cut = |&s: &SegmentId| mesh.chain(s).len() > 2;
     let touches_cut = air.touching.iter().flatten().any(cut);
     let mut e = mesh.face_edge(air.face);
@@ -57,7 +58,8 @@ fn in_face(body: &Body, mesh: &Mesh) -> Result<(), String> {
         let displaced = match mesh.blocks(e) {
             true => mesh
                 .uses(e)
-                .any(|u| !u.forward && before_feature_edge(u.segment)),
+                .filter(|u| !u.forward)
+                .any(|u| touches(u.segment) || before_feature_edge(u.segment)),
             false => touches_cut,
         };
         if outside > slack && !(displaced && outside <= STEP) {

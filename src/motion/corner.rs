@@ -133,8 +133,8 @@ impl Meeting {
     fn rank(&self) -> (bool, bool, bool, f64, f64) {
         (
             self.struck,
-            self.walkable,
             self.outward >= 0.0,
+            self.walkable,
             self.normal_y,
             self.into,
         )

@@ -161,11 +161,9 @@ impl Body {
         if !grounded {
             return;
         }
-        let (p, mut v, face) = (
-            self.position(),
-            self.velocity(),
-            self.face(terrain.mesh(self.size)),
-        );
+        let mesh = terrain.mesh(self.size);
+        let (mut v, face) = (self.velocity(), self.face(mesh));
+        let p = self.position();
         v.y = v.y.max(0.0) + t.jump_speed;
         let touching = [self.segment(), None];
         self.fly(p, v, face, touching);

@@ -40,6 +40,19 @@ impl Surface {
         cover(distance, rate * self.u0.abs(), rate * self.accel * sign)
     }
 
+    /// The position at a time, on the free side of the mesh edge too: rounding may have put that up to half a step per axis
+    /// before the feature edge, and a flight has to start inside its face.
+    pub(super) fn take_off_point(&self, t: f64, mesh: &Mesh) -> DVec2 {
+        let p = self.track.position(self.parameter(t));
+        if mesh.chain(self.segment).len() == 2 {
+            return p;
+        }
+        let ends = [mesh.origin(self.edge), mesh.dest(self.edge)].map(|v| mesh.point(v).metres());
+        let along = ends[1] - ends[0];
+        let depth = -along.perp_dot(p - ends[0]) / along.length_squared();
+        p + along.perp() * depth.max(0.0)
+    }
+
     /// Along or against the mesh edges, whose left is free.
     pub(super) fn heading(&self, sign: f64) -> Heading {
         if (sign > 0.0) == self.track.leftward_free {
