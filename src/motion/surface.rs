@@ -44,12 +44,16 @@ impl Surface {
     /// before the feature edge, and a flight has to start inside its face.
     pub(super) fn take_off_point(&self, t: f64, mesh: &Mesh) -> DVec2 {
         let p = self.track.position(self.parameter(t));
-        if mesh.chain(self.segment).len() == 2 {
+        // In a corner it is where both feature edges meet: off one would be into the other.
+        if mesh.chain(self.segment).len() == 2 || self.against != 0.0 {
             return p;
         }
-        let ends = [mesh.origin(self.edge), mesh.dest(self.edge)].map(|v| mesh.point(v).metres());
-        let along = ends[1] - ends[0];
-        let depth = -along.perp_dot(p - ends[0]) / along.length_squared();
+        let [from, to] =
+            [mesh.origin(self.edge), mesh.dest(self.edge)].map(|v| mesh.point(v).metres());
+        let along = to - from;
+        // Measured from the lower end, for the mirror's sake.
+        let lower = if along.y < 0.0 { to } else { from };
+        let depth = -along.perp_dot(p - lower) / along.length_squared();
         p + along.perp() * depth.max(0.0)
     }
 
