@@ -23,6 +23,7 @@ impl App {
         } else {
             Drawing::default()
         };
+        // The view's own time: what moves in the world stands still with it.
         let frame = Frame {
             view: &view,
             camera: camera(&pose),
@@ -38,6 +39,7 @@ impl App {
         } else {
             "Paused"
         };
+        // What the panels may see; what they want comes back as values.
         let info = Info {
             play: &self.play,
             view: &view,

@@ -2,23 +2,20 @@
 
 use super::style::{ACCENT, FAINT, size};
 use crate::shell::edits::{Edit, Group};
-use crate::tune::{Camera, Meta, Motion, Tuning};
+use crate::tune::{Meta, Tuning};
 use imgui::{SliderFlags, Ui};
 use std::path::Path;
 
 /// Ranges so wide that small values need more of the slider.
 const WIDE: f64 = 100.0;
 
-/// The buttons over the rows, and the filter.
+/// The buttons over the rows, how much was changed, and the file that they save to and load from.
 pub fn file_bar(ui: &Ui, tuning: &Tuning, path: &Path, edits: &mut Vec<Edit>) {
-    let changed = changes(tuning);
+    let save = "Write the changed values to the file.";
+    let load = "Read the values from the file.";
     for (label, edit, tip) in [
-        (
-            "Save",
-            Edit::SaveTuning,
-            "Write the changed values to the file.",
-        ),
-        ("Load", Edit::LoadTuning, "Read the values from the file."),
+        ("Save", Edit::SaveTuning, save),
+        ("Load", Edit::LoadTuning, load),
         ("Reset all", Edit::ResetTuning, "Back to the defaults."),
     ] {
         if ui.button(label) {
@@ -29,22 +26,17 @@ pub fn file_bar(ui: &Ui, tuning: &Tuning, path: &Path, edits: &mut Vec<Edit>) {
         }
         ui.same_line();
     }
-    ui.text_colored(
-        if changed > 0 { ACCENT } else { FAINT },
-        format!("{changed} changed"),
-    );
+    let changed = changes(tuning, Group::Motion) + changes(tuning, Group::Camera);
+    let colour = if changed > 0 { ACCENT } else { FAINT };
+    ui.text_colored(colour, format!("{changed} changed"));
     ui.text_colored(FAINT, path.display().to_string());
 }
 
-/// How many values differ from their defaults.
-fn changes(tuning: &Tuning) -> usize {
-    let count = |meta: &[Meta], values: Vec<f64>| {
-        meta.iter()
-            .zip(values)
-            .filter(|(meta, value)| meta.default != *value)
-            .count()
-    };
-    count(Motion::META, tuning.motion.values()) + count(Camera::META, tuning.camera.values())
+/// How many values of a group differ from their defaults.
+fn changes(tuning: &Tuning, group: Group) -> usize {
+    let values = group.values(tuning);
+    let differs = |(meta, value): &(&Meta, f64)| meta.default != *value;
+    group.meta().iter().zip(values).filter(differs).count()
 }
 
 /// The rows of a group, those whose name or sentence contains the filter, below the group's title.
@@ -89,6 +81,7 @@ fn row(ui: &Ui, meta: &Meta, value: f64) -> Option<f64> {
         ui.text(name);
     }
     explain(ui, meta);
+    // The control takes what the name leaves, with room for the button whether or not there is one: rows shall not move.
     let reset = size(ui, 1.6);
     ui.same_line_with_pos(size(ui, 9.6));
     ui.set_next_item_width(ui.content_region_avail()[0] - reset - size(ui, 0.4));
@@ -113,52 +106,50 @@ fn row(ui: &Ui, meta: &Meta, value: f64) -> Option<f64> {
     }
 }
 
-/// What a tunable does, where the mouse is.
+/// What a tunable does, where the mouse is; not while it is being dragged, when the number is what matters.
 fn explain(ui: &Ui, meta: &Meta) {
     if !ui.is_item_hovered() || ui.is_item_active() {
         return;
     }
+    let Meta {
+        min, max, default, ..
+    } = meta;
     ui.tooltip(|| {
         let _wrap = ui.push_text_wrap_pos_with_pos(size(ui, 24.0));
         ui.text(meta.sentence);
         if meta.choices.is_empty() {
-            let Meta {
-                min, max, default, ..
-            } = meta;
-            ui.text_colored(
-                FAINT,
-                format!("{min} to {max} {}, usually {default}", unit(meta)),
-            );
+            let range = format!("{min} to {max} {}, usually {default}", unit(meta));
+            ui.text_colored(FAINT, range);
             ui.text_colored(FAINT, "Ctrl-click to type a number.");
         } else {
-            ui.text_colored(
-                FAINT,
-                format!("usually {}", meta.choices[meta.default as usize]),
-            );
+            let usual = meta.choices[*default as usize];
+            ui.text_colored(FAINT, format!("usually {usual}"));
         }
     });
 }
 
-/// A number: drawn to as many digits as its range needs, typed to any. What is typed is held to the range as well.
+/// Digits after the point: the wider the range, the fewer a hand can set.
+fn digits(range: f64) -> usize {
+    match range {
+        ..=2.0 => 3,
+        ..=40.0 => 2,
+        _ => 1,
+    }
+}
+
+/// A number. What is typed is held to the range as well as what is dragged.
 fn slider(ui: &Ui, meta: &Meta, value: f64) -> Option<f64> {
     let range = meta.max - meta.min;
-    let digits = if range <= 2.0 {
-        3
-    } else if range <= 40.0 {
-        2
-    } else {
-        1
-    };
-    let wide = if range >= WIDE && meta.min >= 0.0 {
-        SliderFlags::LOGARITHMIC
-    } else {
-        SliderFlags::empty()
-    };
+    let mut flags = SliderFlags::ALWAYS_CLAMP;
+    if range >= WIDE && meta.min >= 0.0 {
+        flags |= SliderFlags::LOGARITHMIC;
+    }
     let mut edited = value;
-    let has_changed = ui
-        .slider_config("##value", meta.min, meta.max)
-        .display_format(format!("%.{digits}f {}", unit(meta)))
-        .flags(SliderFlags::ALWAYS_CLAMP | wide)
+    let slider = ui.slider_config("##value", meta.min, meta.max);
+    let format = format!("%.{}f {}", digits(range), unit(meta));
+    let has_changed = slider
+        .display_format(format)
+        .flags(flags)
         .build(&mut edited);
     has_changed.then_some(edited)
 }
