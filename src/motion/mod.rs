@@ -7,7 +7,7 @@
 //! a free edge is one, and so results depend neither on the tick rate nor on how free space is triangulated.
 //!
 //! In reading order: [`roots`] (when?), [`track`] (along what?), [`vertex`] (what next?), [`law`] (how fast?), [`body`] (the
-//! state), `step` (the sequence of events) with `air`, `corner`, `surface` and `size`, [`check`] (the invariants).
+//! state), `step` (the sequence of events) with `air`, `corner`, `surface`, `joint` and `size`, [`check`] (the invariants).
 //!
 //! What is absent: moving solids, one-way platforms, ladders, several bodies. Static features are all there is.
 
@@ -15,6 +15,7 @@ mod air;
 pub mod body;
 pub mod check;
 mod corner;
+mod joint;
 pub mod law;
 pub mod roots;
 mod size;
