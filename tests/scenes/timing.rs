@@ -88,6 +88,32 @@ fn a_ten_second_fall_in_one_step_costs_at_most_five_events() {
 }
 
 #[test]
+fn a_minute_of_hops_agrees_with_the_closed_form_at_every_rate() {
+    // I10: runs at 5 m/s over seams, and hops once a second for 0.8 s.
+    let hop = |dt: f64| (12.0 * dt - 15.0 * dt * dt).max(0.0);
+    let flat = (0..70).fold(Scene::boxed(), |s, i| {
+        s.rect((5.0 * f64::from(i), 5.0 * f64::from(i + 1)), (-1.0, 0.0))
+    });
+    for rate in [15.0, 30.0, 60.0, 120.0, 240.0, 1000.0] {
+        let worst = std::cell::Cell::new(0.0f64);
+        flat.with(Variant::Plain, &|run: &mut Run| {
+            run.spawn(1.0, 0.0).walk(5.0);
+            for second in 0..60u32 {
+                run.jump(true).jump(false);
+                for tick in 1..=rate as u32 {
+                    let t = f64::from(second) + f64::from(tick) / rate;
+                    run.advance((f64::from(second) * rate + f64::from(tick)) / rate);
+                    let exact = v(1.0 + 5.0 * t, hop(f64::from(tick) / rate));
+                    worst.set(worst.get().max((run.at() - exact).length()));
+                }
+            }
+        });
+        println!("{rate} Hz: {:e} m", worst.get());
+        assert!(worst.get() <= 1e-9, "{rate} Hz: {:e} m", worst.get());
+    }
+}
+
+#[test]
 fn scene_70_coyote_time_counts_from_the_edge() {
     // Leaves at (2 + 13/32) / 5 s, between ticks.
     let scene = Scene::boxed().rect((-20.0, 0.0), (-1.0, 0.0));
