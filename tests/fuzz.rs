@@ -1,5 +1,5 @@
 //! A seeded fuzz test of the motion: random levels, random controls, every invariant after every tick and every event.
-//! `FUZZ_TICKS` and `FUZZ_SEED` lengthen it and move it.
+//! `FUZZ_TICKS`, `FUZZ_SEED` and `FUZZ_WORLDS` lengthen it and move it.
 
 #[path = "common/worlds.rs"]
 mod worlds;
@@ -334,7 +334,7 @@ fn states(
 
 #[test]
 fn the_same_bits_again_resumed_mirrored_split_and_far_from_edits() {
-    for seed in 0..60 {
+    for seed in 0..env("FUZZ_WORLDS", 300) {
         let outlines = level(&mut Dice::new(seed));
         let once = states(seed, &outlines, 1.0, |_| 1, false);
         assert_eq!(

@@ -141,7 +141,7 @@ impl Body {
         }
     }
 
-    /// Meets a feature edge on one of its pieces. At an end of the piece, or beyond it by rounding, the vertex decides.
+    /// Meets a feature edge on one of its pieces. At an end of the piece, as rounding goes, the vertex decides.
     fn contact(&mut self, segment: SegmentId, edge: EdgeId, terrain: &Terrain, trace: &mut Trace) {
         let mesh = terrain.mesh(self.size);
         let track = Track::of(mesh.segment(segment));
@@ -152,14 +152,15 @@ impl Body {
             && !air.touching.contains(&Some(segment))
         {
             // Moving off: only a lip that rounding has left is in the way, less than a step high.
-            air.touching = [Some(segment), air.touching[0]];
+            air.touching[1] = Some(segment);
             return;
         }
         let s = track.parameter(at);
         let ends =
             [edge, mesh.lnext(edge)].map(|e| (track.parameter_of(mesh.point(mesh.origin(e))), e));
         for ((end, spoke), (other, _)) in [(ends[0], ends[1]), (ends[1], ends[0])] {
-            if (s - end) * (other - end) <= 0.0 && self.meet_vertex(spoke, segment, terrain, trace)
+            if (s - end) * (other - end).signum() <= self.rounding()
+                && self.meet_vertex(spoke, segment, terrain, trace)
             {
                 return;
             }
@@ -184,7 +185,7 @@ impl Body {
         let Mode::Air(air) = &self.mode else {
             return false;
         };
-        air.touching.iter().flatten().any(|&s| {
+        air.touching[0].is_some_and(|s| {
             let (height, away, _) = Track::of(mesh.segment(s)).height(at, v, DVec2::ZERO);
             height <= f64::from(JOINT_STEPS) * STEP && away < 0.0
         })

@@ -66,7 +66,8 @@ pub struct Air {
     pub face: FaceId,
     /// How long after `t0` that face was entered, s.
     pub since: f64,
-    /// Feature edges that the body has just left: not yet apart from them, as rounding goes.
+    /// The feature edge that the body has left for this flight, and one that it has touched since: not yet apart from
+    /// them, as rounding goes.
     pub touching: [Option<SegmentId>; 2],
 }
 
@@ -316,6 +317,14 @@ impl Body {
             Mode::Air(_) => DVec2::ZERO,
             Mode::Wedge(_) => DVec2::Y,
         }
+    }
+
+    /// What rounding may make of the position, m: two units in the last place for each of the sums that lead to it, and how
+    /// far the body moves in a unit in the last place of the time.
+    pub(super) fn rounding(&self) -> f64 {
+        let largest = self.position().abs().max_element().max(1.0);
+        let per_time = self.velocity().length() * self.time;
+        f64::EPSILON * (8.0 * largest + 2.0 * per_time)
     }
 
     /// On walkable ground.

@@ -45,7 +45,7 @@ fn in_face(body: &Body, mesh: &Mesh) -> Result<(), String> {
         return Ok(());
     };
     let p = body.position();
-    let slack = rounding(body);
+    let slack = body.rounding();
     let touches = |s: SegmentId| air.touching.contains(&Some(s));
     let cut = |&s: &SegmentId| mesh.chain(s).len() > 2;
     let touches_cut = air.touching.iter().flatten().any(cut);
@@ -72,14 +72,6 @@ fn in_face(body: &Body, mesh: &Mesh) -> Result<(), String> {
     Ok(())
 }
 
-/// What rounding may make of a position: two units in the last place for each of the sums that lead to it, and how far the
-/// body moves in a unit in the last place of the time.
-fn rounding(body: &Body) -> f64 {
-    let largest = body.position().abs().max_element().max(1.0);
-    let per_time = body.velocity().length() * body.time();
-    f64::EPSILON * (8.0 * largest + 2.0 * per_time)
-}
-
 fn on_edge(body: &Body, mesh: &Mesh) -> Result<(), String> {
     let Mode::Surface(on) = body.mode() else {
         return Ok(());
@@ -96,7 +88,7 @@ fn on_edge(body: &Body, mesh: &Mesh) -> Result<(), String> {
     let s = on.parameter(body.time());
     let ends =
         [mesh.origin(on.edge), mesh.dest(on.edge)].map(|v| on.track.parameter_of(mesh.point(v)));
-    let slack = rounding(body)
+    let slack = body.rounding()
         + f64::from(JOINT_STEPS) * STEP * f64::from(u8::from(mesh.chain(on.segment).len() > 2));
     if s < ends[0].min(ends[1]) - slack || s > ends[0].max(ends[1]) + slack {
         return Err(format!("I2: parameter {s} is not on the edge {ends:?}"));

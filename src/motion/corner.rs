@@ -27,10 +27,13 @@ impl Body {
         };
         let accel = air.accel;
         let (out, into) = match sector(mesh, spoke, Bearing::of(v, accel)) {
-            Sector::Free(face) if face == air.face => return false,
+            // Again: here rounding keeps it on the piece.
+            Sector::Free(face) if face == air.face && air.touching.contains(&Some(segment)) => {
+                return false;
+            }
             Sector::Free(face) => {
                 air.face = face;
-                air.touching = [Some(segment), air.touching[0]];
+                air.touching[1] = Some(segment);
                 trace.crossed += 1;
                 return true;
             }
@@ -67,12 +70,8 @@ impl Body {
                 self.settle(m.segment, m.edge, s, along, m.into, terrain, trace);
             }
             None => {
-                let s = a.track.parameter_at_joint(
-                    mesh.segment(a.segment),
-                    &b.track,
-                    mesh.point(vertex),
-                );
-                self.wedge(a.track.position(s), out, terrain, trace);
+                let at = a.track.corner(&b.track, mesh.point(vertex));
+                self.wedge(at, out, terrain, trace);
             }
         }
         true

@@ -311,7 +311,9 @@ impl Body {
             self.settle(on.segment, on.edge, on.start, u, into, terrain, trace);
         } else if sinks && !goes_down {
             // Gravity drives it back from both sides.
-            self.wedge(on.track.position(on.start), on.edge, terrain, trace);
+            let vertex = mesh.point(behind(mesh, on.edge, joint.heading));
+            let at = on.track.corner(&joint.track, vertex);
+            self.wedge(at, on.edge, terrain, trace);
         } else {
             self.stop(joint, Some(on), trace, mesh);
         }

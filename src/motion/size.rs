@@ -3,7 +3,7 @@
 use super::body::{Air, Body, EventKind, Mode, Next, Size, SpawnError, Surface, Terrain, Trace};
 use super::roots::exit;
 use super::track::delta;
-use super::vertex::{Bearing, Sector, sector, spokes};
+use super::vertex::{Bearing, JOINT_STEPS, Sector, sector, spokes};
 use crate::geom::STEP;
 use crate::mesh::{EdgeId, FaceId, Mesh, Place, SegmentId};
 use glam::DVec2;
@@ -60,10 +60,15 @@ fn around(mesh: &Mesh, f: FaceId) -> impl Iterator<Item = EdgeId> {
 }
 
 /// The piece of a feature edge at a parameter that has a free face beside it, as the mesh edge with that face on its left.
+/// A body in a corner may stand up to a joint's width beyond the rounded vertex where the piece ends.
 fn piece_at(mesh: &Mesh, segment: SegmentId, s: f64, on: &Surface) -> Option<EdgeId> {
+    let beyond = |from: f64, to: f64| (from.min(to) - s).max(s - from.max(to)).max(0.0);
     pieces(mesh, segment, on)
-        .find(|&(from, to, _, free)| free && from.min(to) <= s && s <= from.max(to))
-        .map(|p| p.2)
+        .filter(|&(.., free)| free)
+        .map(|(from, to, edge, _)| (beyond(from, to), edge))
+        .filter(|&(beyond, _)| beyond <= f64::from(JOINT_STEPS) * STEP)
+        .min_by(|a, b| a.0.total_cmp(&b.0))
+        .map(|(_, edge)| edge)
 }
 
 /// The pieces of a feature edge, from its start: parameters of both ends, the mesh edge with the free side on its left,

@@ -85,27 +85,36 @@ impl Track {
         self.parameter(p.metres())
     }
 
-    /// The parameter at a vertex where another road meets this one, the road of `segment`: that of the crossing itself, of
-    /// which the vertex is only the rounded place; that of the vertex where the segment ends there, or where the lines do
-    /// not cross within a step of it.
-    pub fn parameter_at_joint(&self, segment: &Segment, other: &Track, vertex: Point) -> f64 {
+    /// Where another road crosses this one, at a vertex that is only the rounded place of it; the vertex itself where the
+    /// lines do not cross within a step of it. The same bits whichever of the two is asked.
+    pub fn corner(&self, other: &Track, vertex: Point) -> DVec2 {
         let (d, e) = (self.direction, other.direction);
-        let det = cross(d, e);
-        if det == 0 || vertex == segment.a || vertex == segment.b {
-            return self.parameter_of(vertex);
+        let det = i128::from(cross(d, e));
+        if det == 0 {
+            return vertex.metres();
         }
         // The point p with cross(d, p) and cross(e, p) equal to the two offsets, by Cramer's rule; 3b + 5 = 92 bits.
         let solve = |d: i64, e: i64| {
             let numerator =
                 i128::from(e) * i128::from(self.offset) - i128::from(d) * i128::from(other.offset);
-            numerator as f64 / det as f64
+            (numerator / det) as f64 + (numerator % det) as f64 / det as f64
         };
         let (x, y) = (solve(d.0, e.0), solve(d.1, e.1));
         let near = |c: f64, v: i32| (c - f64::from(v)).abs() <= 1.0;
         if near(x, vertex.x) && near(y, vertex.y) {
-            self.parameter(DVec2::new(x, y) * STEP)
+            DVec2::new(x, y) * STEP
         } else {
+            vertex.metres()
+        }
+    }
+
+    /// The parameter at a vertex where another road meets this one, the road of `segment`: that of their crossing, or of the
+    /// vertex itself where the segment ends there.
+    pub fn parameter_at_joint(&self, segment: &Segment, other: &Track, vertex: Point) -> f64 {
+        if vertex == segment.a || vertex == segment.b {
             self.parameter_of(vertex)
+        } else {
+            self.parameter(self.corner(other, vertex))
         }
     }
 
