@@ -194,7 +194,7 @@ pub struct Trace {
     pub events: Vec<Event>,
     /// Free edges crossed in the air.
     pub crossed: u64,
-    /// Vertices passed on surfaces without an event.
+    /// Vertices reached on surfaces.
     pub passed: u64,
 }
 

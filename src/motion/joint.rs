@@ -114,6 +114,7 @@ impl Body {
         let Mode::Surface(on) = &mut self.mode else {
             return false;
         };
+        trace.passed += 1;
         let sign = on.sign();
         let heading = on.heading(sign);
         let next = surface_next(mesh, on.edge, heading);
@@ -122,7 +123,6 @@ impl Body {
         let segment = segment_at(mesh, next, terrain.tuning.max_slope, same_line);
         if let Some(s) = segment.filter(|&s| same_line(s)) {
             (on.edge, on.segment, on.since) = (next, s, (now - on.t0).max(on.since));
-            trace.passed += 1;
             return true;
         }
         let joint = Joint {
@@ -204,7 +204,6 @@ impl Body {
             // Parallel, within the steps of a joint: the same parameter, so the piece goes on.
             (on.edge, on.segment, on.track) = (edge, segment, track);
             on.since = (now - on.t0).max(on.since);
-            trace.passed += 1;
             return true;
         }
         if !towards && !joint.holds(&onward, mesh, t) {

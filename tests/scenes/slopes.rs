@@ -72,6 +72,39 @@ fn scene_40_a_concave_joint_keeps_or_projects() {
 }
 
 #[test]
+fn scene_41_a_hill_is_left_above_its_critical_speed() {
+    // R = 20 m, 0.01 rad an edge. Rounding to the grid bends single joints by up to 1 %, and so 0.5 % of the speed.
+    let top: Vec<_> = (-40..=40)
+        .map(|i| {
+            let angle = f64::from(i) * 0.01;
+            (20.0 * libm::sin(angle), 20.0 * libm::cos(angle))
+        })
+        .collect();
+    let hill = Scene::point().under(&top, 10.0);
+    let critical = f64::sqrt(20.0 * 30.0 * libm::cos(0.4));
+    for (share, stays) in [(0.985, true), (1.03, false)] {
+        let speed = share * critical;
+        hill.clone().tune(|t| t.run_speed = speed).each(|run| {
+            let (x, y) = top[1];
+            run.spawn(x + 0.01, y + 0.1).advance(0.2).walk(speed);
+            run.trace.clear();
+            run.advance(0.2 + 14.0 / speed);
+            let left = run
+                .kinds()
+                .iter()
+                .filter(|&&k| k == EventKind::Left)
+                .count();
+            assert_eq!(
+                left,
+                usize::from(!stays),
+                "at {share} of the critical speed"
+            );
+            assert_eq!(run.supported(), stays);
+        });
+    }
+}
+
+#[test]
 fn scene_42_hops_over_a_convex_joint() {
     // 8:15:17: turn d with sin 8/17, cos 15/17; next slope the same.
     let (sin, cos) = (8.0 / 17.0, 15.0 / 17.0);

@@ -54,6 +54,35 @@ fn scene_23_along_a_hundred_free_edges() {
 }
 
 #[test]
+fn scene_24_starts_on_edges_and_vertices() {
+    // On the top of a box, at its corner, on its side: in, out and along. What leads in is stopped, what leads out goes on, what
+    // leads along is a touch.
+    let scene = Scene::point()
+        .rect((0.0, 2.0), (0.0, 2.0))
+        .tune(|t| t.gravity = 0.0);
+    let still = (0.0, 0.0);
+    let cases = [
+        ((1.0, 2.0), (0.0, -3.0), still),
+        ((1.0, 2.0), (0.0, 3.0), (0.0, 3.0)),
+        ((1.0, 2.0), (3.0, 0.0), (3.0, 0.0)),
+        ((2.0, 2.0), (3.0, 4.0), (3.0, 4.0)),
+        ((2.0, 2.0), (0.0, -3.0), (0.0, -3.0)),
+        ((2.0, 2.0), (3.0, 0.0), (3.0, 0.0)),
+        ((2.0, 1.0), (-3.0, 0.0), still),
+        ((2.0, 1.0), (3.0, 0.0), (3.0, 0.0)),
+        ((2.0, 1.0), (0.0, 3.0), (0.0, 3.0)),
+    ];
+    scene.each(|run| {
+        for ((x, y), (vx, vy), (wx, wy)) in cases {
+            run.spawn(x, y).velocity(vx, vy).advance(0.25);
+            run.near(x + wx * 0.25, y + wy * 0.25, 0.0);
+            assert_eq!(run.speed(), v(wx, wy), "from ({x}, {y}) with ({vx}, {vy})");
+            assert!(run.trace.crossed <= 8, "{} hops", run.trace.crossed);
+        }
+    });
+}
+
+#[test]
 fn scene_25_out_and_in_by_the_same_edge_in_one_step() {
     // A tall thin spike beside the path gives the free space edges that the parabola crosses twice.
     let scene = Scene::point()
