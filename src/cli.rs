@@ -4,10 +4,12 @@
 
 pub mod files;
 pub mod headless;
+pub mod lines;
 pub mod load;
 pub mod summary;
 pub mod tuning;
 
+use crate::game::replay::LONGEST;
 use lexopt::Arg;
 use std::ffi::OsString;
 use std::ops::RangeInclusive;
@@ -287,7 +289,7 @@ impl Given {
     }
 
     fn screenshot(&self) -> Result<Option<Screenshot>, UsageError> {
-        let at = self.number("at", 0..=u64::from(u32::MAX))?;
+        let at = self.number("at", 0..=LONGEST)?;
         Ok(self
             .path("screenshot")
             .zip(at)
@@ -454,6 +456,10 @@ mod tests {
             (
                 "--seed -1",
                 "--seed: `-1` is not a whole number from 0 to 18446744073709551615",
+            ),
+            (
+                "--screenshot a.png --at 86400001",
+                "--at: `86400001` is not a whole number from 0 to 86400000",
             ),
             (
                 "--size 800",

@@ -12,17 +12,23 @@ fn main() -> ExitCode {
             .and_then(|summary| print(&summary.to_string())),
         Ok(Command::Window(options)) => play(&options),
         Err(error) => {
-            eprintln!("edgewalker: {error}\nTry `edgewalker --help`.");
+            complain(&format!("{error}\nTry `edgewalker --help`."));
             return ExitCode::from(2);
         }
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,
         Err(reason) => {
-            eprintln!("edgewalker: {reason}");
+            complain(&reason);
             ExitCode::FAILURE
         }
     }
+}
+
+/// To the terminal; where even that cannot be written, the exit status has to say it.
+fn complain(reason: &str) {
+    use std::io::Write;
+    let _ = writeln!(std::io::stderr(), "edgewalker: {reason}");
 }
 
 /// To the terminal, or to a reader who may have gone.

@@ -149,6 +149,21 @@ fn nonsense_on_the_command_line_is_refused_with_status_2() {
     }
 }
 
+/// Where even the message cannot be written, the status says what happened.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_terminal_is_no_panic() {
+    for (args, status) in [
+        (&["--nonsense"][..], 2),
+        (&["--headless", "--replay", "none"], 1),
+        (&["--version"], 1),
+    ] {
+        let full = || fs::File::options().write(true).open("/dev/full").unwrap();
+        let found = program(args).stdout(full()).stderr(full()).status();
+        assert_eq!(found.unwrap().code(), Some(status), "{args:?}");
+    }
+}
+
 #[test]
 fn help_and_version_go_to_the_output() {
     assert!(expect(program(&["--help"]), 0, &[]).contains("--tick-rate N"));
@@ -171,6 +186,16 @@ fn broken_replays_are_refused() {
     for (name, text, word) in [
         ("empty", String::new(), "empty.replay"),
         ("newer", replay(99, "120", ""), "`version`: 99"),
+        (
+            "line",
+            replay(1, "120", "\nmotion: (apex_gravity: 0.5,\ngravity: -1.0)"),
+            "line 3: tuning, field `gravity`",
+        ),
+        (
+            "lasts",
+            replay(1, "120", "").replace("inputs: []", "\ninputs: [(0, (run: 0))]"),
+            "line 2: field `inputs`",
+        ),
         ("rate", replay(1, "0", ""), "tick_rate"),
         ("nan", replay(1, "120", "motion: (gravity: NaN)"), "gravity"),
         (

@@ -1,7 +1,6 @@
 //! Files as the program touches them: found in three places, read whole, written whole or not at all.
 
 use crate::level;
-use std::fs;
 use std::path::{Path, PathBuf};
 
 /// What went wrong with which file.
@@ -44,34 +43,30 @@ pub fn find(path: &Path) -> PathBuf {
         .unwrap_or_else(|| path.to_path_buf())
 }
 
-/// The whole text of a file.
+/// The whole text of a file, without the byte order mark that some editors put first.
 ///
 /// # Errors
-/// The file is missing, a directory, not readable or not UTF-8.
+/// As [`read`], or the file is not UTF-8.
 pub fn read_text(path: &Path) -> Result<String, FileError> {
     let bytes = read(path)?;
-    String::from_utf8(bytes).map_err(|_| FileError::new(path, "is not a text file (UTF-8)"))
+    let text =
+        String::from_utf8(bytes).map_err(|_| FileError::new(path, "is not a text file (UTF-8)"))?;
+    Ok(level::without_mark(&text).to_owned())
 }
 
 /// The whole content of a file.
 ///
 /// # Errors
-/// The file is missing, a directory or not readable.
+/// The file is missing, not readable, or something else: a directory, a pipe, a device.
 pub fn read(path: &Path) -> Result<Vec<u8>, FileError> {
-    if path.is_dir() {
-        return Err(FileError::new(path, "is a directory, not a file"));
-    }
-    fs::read(path).map_err(|e| FileError::new(path, io_reason(&e)))
+    level::read(path).map_err(|e| FileError::new(path, io_reason(&e)))
 }
 
 /// Writes a file so that at any moment there is either the old or the new content, never half of it.
 ///
 /// # Errors
-/// The folder is missing or not writable, the disk is full, or the path is a directory.
+/// The folder is missing or not writable, the disk is full, or the path is no file.
 pub fn write_atomic(path: &Path, content: &[u8]) -> Result<(), FileError> {
-    if path.is_dir() {
-        return Err(FileError::new(path, "is a directory, not a file"));
-    }
     level::write_atomically(path, content).map_err(|e| FileError::new(path, io_reason(&e)))
 }
 
@@ -80,20 +75,8 @@ pub fn write_atomic(path: &Path, content: &[u8]) -> Result<(), FileError> {
 /// # Errors
 /// As [`write_atomic`].
 pub fn check_writable(path: &Path) -> Result<(), FileError> {
-    if path.is_dir() {
-        return Err(FileError::new(path, "is a directory, not a file"));
-    }
-    let temporary = temporary_beside(path);
-    fs::File::create(&temporary)
-        .and_then(|_| fs::remove_file(&temporary))
+    level::check_writable(path)
         .map_err(|e| FileError::new(path, format!("cannot be written: {}", io_reason(&e))))
-}
-
-/// A name in the same folder, so that a rename cannot cross file systems; of this process alone.
-fn temporary_beside(path: &Path) -> PathBuf {
-    let mut name = path.file_name().unwrap_or_default().to_os_string();
-    name.push(format!(".{}.tmp", std::process::id()));
-    path.with_file_name(name)
 }
 
 fn io_reason(error: &std::io::Error) -> String {
@@ -107,6 +90,7 @@ fn io_reason(error: &std::io::Error) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::fs;
 
     #[test]
     fn a_written_file_reads_back_and_leaves_nothing_beside_it() {
@@ -119,6 +103,8 @@ mod tests {
         write_atomic(&path, b"new").unwrap();
         assert_eq!(read_text(&path).unwrap(), "new");
         assert_eq!(fs::read_dir(&folder).unwrap().count(), 1);
+        write_atomic(&path, "\u{feff}marked".as_bytes()).unwrap();
+        assert_eq!(read_text(&path).unwrap(), "marked");
         write_atomic(&path, b"\xff\xfe").unwrap();
         assert!(
             read_text(&path)
@@ -147,6 +133,48 @@ mod tests {
             read(Path::new("/")).unwrap_err().to_string(),
             "/: is a directory, not a file"
         );
+    }
+
+    /// What is found out before a recording holds for its end.
+    #[test]
+    fn what_is_no_name_of_a_file_is_refused_at_once() {
+        let folder = std::env::temp_dir().join(format!("edgewalker-names-{}", std::process::id()));
+        fs::create_dir_all(&folder).unwrap();
+        for name in [
+            Path::new(""),
+            &folder.join("new/"),
+            &folder.join(".."),
+            &folder,
+        ] {
+            let refused = check_writable(name).unwrap_err().to_string();
+            assert!(refused.contains("cannot be written: is "), "{refused}");
+            assert!(write_atomic(name, b"").is_err(), "{name:?}");
+        }
+        fs::remove_dir_all(&folder).unwrap();
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn links_are_written_through_and_sockets_left_alone() {
+        let folder = std::env::temp_dir().join(format!("edgewalker-links-{}", std::process::id()));
+        fs::create_dir_all(&folder).unwrap();
+        let (file, link, socket) = (folder.join("f"), folder.join("l"), folder.join("s"));
+        fs::write(&file, "old").unwrap();
+        std::os::unix::fs::symlink(&file, &link).unwrap();
+        write_atomic(&link, b"new").unwrap();
+        assert!(link.is_symlink());
+        assert_eq!(read_text(&file).unwrap(), "new");
+        let _listener = std::os::unix::net::UnixListener::bind(&socket).unwrap();
+        for error in [
+            check_writable(&socket),
+            write_atomic(&socket, b""),
+            read(&socket).map(drop),
+        ] {
+            let message = error.unwrap_err().to_string();
+            assert!(message.ends_with("is not a regular file"), "{message}");
+        }
+        assert!(!fs::metadata(&socket).unwrap().is_file());
+        fs::remove_dir_all(&folder).unwrap();
     }
 
     #[test]

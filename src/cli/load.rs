@@ -1,6 +1,7 @@
 //! From paths to what is played: a level with its meshes, a replay.
 
 use super::files::{FileError, find, read_text};
+use super::lines;
 use crate::game::{Replay, Stage};
 use crate::level::{self, LevelError};
 use std::path::Path;
@@ -43,7 +44,13 @@ pub fn stage(path: &Path) -> Result<Arc<Stage>, LoadError> {
 pub fn replay(path: &Path) -> Result<Replay, LoadError> {
     let path = find(path);
     let text = read_text(&path).map_err(LoadError::File)?;
-    Replay::parse(&text).map_err(|error| LoadError::File(FileError::new(&path, error.to_string())))
+    Replay::parse(&text).map_err(|error| {
+        let line = error
+            .field()
+            .map(|name| format!("line {}: ", lines::of_field(&text, name)));
+        let reason = format!("{}{error}", line.unwrap_or_default());
+        LoadError::File(FileError::new(&path, reason))
+    })
 }
 
 /// The world of a replay at its start.

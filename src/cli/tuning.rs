@@ -1,6 +1,7 @@
 //! Tuning files: what was changed, as RON, with units beside the numbers.
 
 use super::files::{FileError, read_text, write_atomic};
+use super::lines;
 use crate::tune::{Camera, Meta, Motion, Tuning};
 use std::fmt::Write;
 use std::path::Path;
@@ -28,17 +29,8 @@ pub fn parse(text: &str) -> Result<Tuning, String> {
         ron::from_str(text).map_err(|e| format!("line {}: {}", e.span.start.line, e.code))?;
     tuning
         .check()
-        .map_err(|e| format!("line {}: {e}", line_of_field(text, e.meta.name)))?;
+        .map_err(|e| format!("line {}: {e}", lines::of_field(text, e.meta.name)))?;
     Ok(tuning)
-}
-
-/// The first line that names the field; serde has thrown the places away when ranges are checked.
-fn line_of_field(text: &str, name: &str) -> usize {
-    let names = |line: &str| {
-        let before_colon = line.split(':').next().unwrap_or_default();
-        before_colon.trim_end().ends_with(name)
-    };
-    text.lines().position(names).map_or(1, |index| index + 1)
 }
 
 /// The text of a tuning file: the changed values alone, bit for bit.
@@ -115,6 +107,10 @@ mod tests {
             (
                 "(\n motion: (\n\n  gravty: 1.0,\n ),\n)",
                 "line 4: Unexpected field named `gravty`",
+            ),
+            (
+                "( // gravity: high\n motion: (\n  apex_gravity: 0.5,\n  run_speed: 1.0, gravity : -1.0))",
+                "line 4: field `gravity`: -1.0 is outside",
             ),
             ("(\n motion: (\n  gravity: 4", "line 3: "),
             ("(\n motion: (\n  gravity: \"much\",\n ),\n)", "line 3: "),

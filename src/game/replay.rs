@@ -11,7 +11,7 @@ use std::sync::Arc;
 pub const VERSION: u32 = 1;
 
 /// Most ticks that a replay may have: a day at 1000 Hz.
-const LONGEST: u64 = 86_400_000;
+pub const LONGEST: u64 = 86_400_000;
 
 /// Highest tick rate.
 pub const FASTEST: u32 = 10_000;
@@ -77,6 +77,19 @@ impl std::fmt::Display for ReplayError {
 }
 
 impl std::error::Error for ReplayError {}
+
+impl ReplayError {
+    /// The field that it is about, where it is one of the file's.
+    pub fn field(&self) -> Option<&'static str> {
+        match self {
+            ReplayError::Syntax(_) => None,
+            ReplayError::Version(_) => Some("version"),
+            ReplayError::Field(name, _) => Some(name),
+            ReplayError::Tuning(error) => Some(error.meta.name),
+            ReplayError::OtherLevel { .. } => Some("fingerprint"),
+        }
+    }
+}
 
 /// The one field that every version has; the others are skipped.
 #[derive(Deserialize)]

@@ -220,6 +220,11 @@ fn check_coordinate(entity: &Entity, field: &str, value: f64) -> Result<(), Flaw
         entity.clone(),
         field,
         || {
+            let value = if value.abs() < 1e9 {
+                value.to_string()
+            } else {
+                format!("{value:e}")
+            };
             format!(
                 "{value} is out of bounds: coordinates are between -{COORDINATE_LIMIT} and {COORDINATE_LIMIT} m"
             )

@@ -3,6 +3,9 @@
 use std::fmt;
 use std::path::PathBuf;
 
+/// Longer ids than this, in bytes, are no help in a message: 64 characters of four bytes.
+const LONGEST_ID: usize = 256;
+
 /// Which part of a level is meant.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Entity {
@@ -60,7 +63,8 @@ impl fmt::Display for Entity {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         match self {
             Entity::Level => f.write_str("level"),
-            Entity::Feature(_, id) => write!(f, "feature {id:?}"),
+            Entity::Feature(_, id) if id.len() <= LONGEST_ID => write!(f, "feature {id:?}"),
+            Entity::Feature(index, _) => write!(f, "features[{index}]"),
             Entity::Scenery(index) => write!(f, "scenery[{index}]"),
         }
     }

@@ -8,13 +8,15 @@ use std::fs::{self, File};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
+/// Largest file that is read, in bytes.
+const LARGEST: u64 = 1 << 30;
+
 /// Reads a level file and checks it.
 ///
 /// # Errors
 /// The file cannot be read, is not text, is not a level, or breaks a rule of [`check`].
 pub fn load(path: &Path) -> Result<Level, LevelError> {
-    let bytes =
-        fs::read(path).map_err(|error| whole_file(path, format!("cannot be read: {error}")))?;
+    let bytes = read(path).map_err(|error| whole_file(path, format!("cannot be read: {error}")))?;
     match std::str::from_utf8(&bytes) {
         Ok(text) => parse(text, path),
         Err(error) => {
@@ -32,6 +34,7 @@ pub fn load(path: &Path) -> Result<Level, LevelError> {
 /// # Errors
 /// The text is not a level, or breaks a rule of [`check`].
 pub fn parse(text: &str, file: &Path) -> Result<Level, LevelError> {
+    let text = without_mark(text);
     if text.trim().is_empty() {
         return Err(whole_file(file, "is empty".into()));
     }
@@ -63,11 +66,32 @@ pub fn save(level: &Level, path: &Path) -> Result<(), LevelError> {
         .map_err(|error| whole_file(path, format!("cannot be written: {error}")))
 }
 
-/// Replaces a file in one step: whoever reads it sees the old bytes or the new, even after a crash.
+/// The whole content of a file. A pipe would be waited for and a device may never end: neither is read.
 ///
 /// # Errors
-/// The directory or the file cannot be written; the old file is then untouched.
+/// The file is missing, not readable, no regular file, or larger than a gibibyte.
+pub fn read(path: &Path) -> io::Result<Vec<u8>> {
+    let meta = fs::metadata(path)?;
+    refuse_special(&meta)?;
+    if meta.len() > LARGEST {
+        let message = format!("has {} bytes; at most {LARGEST} are read", meta.len());
+        return Err(io::Error::new(io::ErrorKind::InvalidData, message));
+    }
+    fs::read(path)
+}
+
+/// The text behind the byte order mark that some editors put first.
+pub fn without_mark(text: &str) -> &str {
+    text.strip_prefix('\u{feff}').unwrap_or(text)
+}
+
+/// Replaces a file in one step: whoever reads it sees the old bytes or the new, even after a crash. Of a link, what it
+/// leads to.
+///
+/// # Errors
+/// The directory or the file cannot be written, or it is no regular file; the old file is then untouched.
 pub fn write_atomically(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    let path = &target(path)?;
     let temporary = temporary_beside(path)?;
     let written = File::create(&temporary).and_then(|mut file| {
         file.write_all(bytes)?;
@@ -81,6 +105,33 @@ pub fn write_atomically(path: &Path, bytes: &[u8]) -> io::Result<()> {
     replaced
 }
 
+/// Finds out now whether [`write_atomically`] could write there later.
+///
+/// # Errors
+/// As [`write_atomically`].
+pub fn check_writable(path: &Path) -> io::Result<()> {
+    let temporary = temporary_beside(&target(path)?)?;
+    File::create(&temporary).and_then(|_| fs::remove_file(&temporary))
+}
+
+/// Where to write, links followed. What is there already must be a file: to replace a device would break it.
+fn target(path: &Path) -> io::Result<PathBuf> {
+    if let Ok(meta) = fs::metadata(path) {
+        refuse_special(&meta)?;
+        return fs::canonicalize(path);
+    }
+    Ok(path.into())
+}
+
+fn refuse_special(meta: &fs::Metadata) -> io::Result<()> {
+    let (kind, message) = match meta {
+        m if m.is_file() => return Ok(()),
+        m if m.is_dir() => (io::ErrorKind::IsADirectory, "is a directory, not a file"),
+        _ => (io::ErrorKind::InvalidInput, "is not a regular file"),
+    };
+    Err(io::Error::new(kind, message))
+}
+
 /// The part of the format that every version has.
 #[derive(Deserialize)]
 #[serde(rename = "Level")]
@@ -90,10 +141,11 @@ struct Header {
 
 /// A name in the same directory, hence on the same disk, that no other running program uses.
 fn temporary_beside(path: &Path) -> io::Result<PathBuf> {
-    let Some(name) = path.file_name() else {
+    let is_folder = path.to_string_lossy().ends_with(std::path::is_separator);
+    let Some(name) = path.file_name().filter(|_| !is_folder) else {
         return Err(io::Error::new(
             io::ErrorKind::InvalidInput,
-            "not the name of a file",
+            "is not the name of a file",
         ));
     };
     let mut temporary = std::ffi::OsString::from(".");

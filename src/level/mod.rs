@@ -12,7 +12,7 @@ mod marks;
 
 pub use check::{COORDINATE_LIMIT, CORNER_LIMIT, check};
 pub use error::{Entity, Flaw, LevelError};
-pub use file::{load, parse, save, write_atomically};
+pub use file::{check_writable, load, parse, read, save, without_mark, write_atomically};
 
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
