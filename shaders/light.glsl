@@ -18,7 +18,7 @@ vec3 haze(vec3 direction) {
 float fog(vec3 at) {
     float way = max(distance(at, eye.xyz) - 16.0, 0.0);
     float low = exp(-max(at.y - scene.y, 0.0) * 0.09);
-    return 1.0 - exp(-way * (0.0095 + 0.010 * low));
+    return 1.0 - exp(-way * (0.0145 + 0.010 * low));
 }
 
 // Light that arrives from everywhere and from the lanterns.
