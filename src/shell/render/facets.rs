@@ -36,7 +36,7 @@ pub fn next(e: usize) -> usize {
 
 /// The half-edge before `e` in its triangle.
 pub fn prev(e: usize) -> usize {
-    if e % 3 == 0 { e + 2 } else { e - 1 }
+    if e.is_multiple_of(3) { e + 2 } else { e - 1 }
 }
 
 fn coord(p: DVec2) -> Coord<f64> {
