@@ -74,6 +74,7 @@ const TESTS: &[Test] = &[
         runs::a_changed_tuning_ends_the_recording,
     ),
     ("another level", tools::another_level),
+    ("a level is clicked", tools::a_level_is_clicked),
 ];
 
 /// The driver is chosen by the environment of a fresh process; in there the tests run in order.

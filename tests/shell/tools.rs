@@ -69,8 +69,10 @@ pub fn a_tunable_acts(_: &Path) {
 }
 
 /// Where things are in the panel of a picture of 1280 by 720.
-const FILTER: (i32, i32) = (200, 421);
-const FIRST_SLIDER: (i32, i32) = (177, 467);
+const FILTER: (i32, i32) = (200, 499);
+const FIRST_SLIDER: (i32, i32) = (177, 545);
+const LEVELS: (i32, i32) = (200, 349);
+const FIRST_LEVEL: (i32, i32) = (60, 373);
 const BESIDE_THE_PANEL: (i32, i32) = (900, 300);
 
 fn with_panel() -> App {
@@ -242,6 +244,14 @@ pub fn a_broken_shader(folder: &Path) {
     await_reload(&mut app);
     assert!(app.notices.problems().is_empty(), "{:?}", app.notices);
     std::env::set_current_dir(&home).unwrap();
+}
+
+pub fn a_level_is_clicked(_: &Path) {
+    let mut app = with_panel();
+    click(&mut app, LEVELS);
+    click(&mut app, FIRST_LEVEL);
+    assert_eq!(app.play.summary.level, "The Drowned Quarry");
+    assert!(app.play.world.tick() < 20, "it begins anew");
 }
 
 pub fn another_level(_: &Path) {

@@ -1,4 +1,4 @@
-//! The docked window: one column of sections, the most used first.
+//! The docked window: one column of sections; the long one, the tunables, comes last, that none be out of sight.
 
 use super::scene::Show;
 use super::style::{ALARM, FAINT, size};
@@ -63,6 +63,15 @@ fn sections(ui: &Ui, panel: &mut Panel, info: &Info, show: &mut Show, edits: &mu
     if begins_open("Drawings") {
         drawings(ui, show);
     }
+    if begins_closed("Levels") {
+        levels(ui, info, edits);
+    }
+    if begins_closed("Graphs") {
+        stats::section(ui, info.stats);
+    }
+    if begins_closed("Mesh") {
+        mesh(ui, info);
+    }
     if begins_open("Tunables") {
         tunables::file_bar(ui, info.tuning, info.tuning_path, edits);
         ui.set_next_item_width(-1.0); // as wide as the panel
@@ -71,15 +80,6 @@ fn sections(ui: &Ui, panel: &mut Panel, info: &Info, show: &mut Show, edits: &mu
         for titled in [("Motion", Group::Motion), ("Camera", Group::Camera)] {
             tunables::rows(ui, titled, info.tuning, &panel.filter, edits);
         }
-    }
-    if begins_closed("Graphs") {
-        stats::section(ui, info.stats);
-    }
-    if begins_closed("Mesh") {
-        mesh(ui, info);
-    }
-    if begins_closed("Levels") {
-        levels(ui, info, edits);
     }
 }
 
