@@ -253,11 +253,17 @@ impl App {
             Action::Fullscreen => self.apply(Edit::Fullscreen),
             Action::Pause => self.apply(Edit::Pause(!self.paused)),
             Action::Step => self.apply(Edit::Step),
-            Action::Slower => self.apply(Edit::Scale(self.scale / 2.0)),
-            Action::Faster => self.apply(Edit::Scale(self.scale * 2.0)),
+            Action::Slower => self.change_speed(0.5),
+            Action::Faster => self.change_speed(2.0),
             Action::Quit if self.paused => self.apply(Edit::Quit),
             Action::Quit => {}
         }
+    }
+
+    /// By a key, which shows nothing by itself: so it is said.
+    fn change_speed(&mut self, factor: f64) {
+        self.apply(Edit::Scale(self.scale * factor));
+        self.notices.say(format!("Speed × {}", self.scale));
     }
 
     /// The ticks that are due. Asking for a restart ends a pause; the end of a replay begins one.
@@ -292,7 +298,11 @@ impl App {
         if let Some(recorder) = &mut self.recorder {
             recorder.push(input);
         }
+        let deaths = self.play.world.view().deaths;
         self.play.tick(input, self.controls.look(), &self.tuning);
+        if self.play.world.view().deaths != deaths {
+            self.notices.say("You fell: back at the start");
+        }
         true
     }
 

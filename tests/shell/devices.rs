@@ -3,9 +3,11 @@
 use super::hands::{FLAT, frames, key, open, options, tap};
 use super::virtual_pad::VirtualPad;
 use edgewalker::game::{Input, Stance};
+use edgewalker::shell::app::App;
 use edgewalker::shell::edits::Edit;
 use sdl2::event::{Event, WindowEvent};
 use sdl2::keyboard::Scancode;
+use std::fs;
 use std::path::Path;
 use std::time::Duration;
 
@@ -72,11 +74,33 @@ pub fn pause_step_speed(_: &Path) {
     tap(&mut app, Scancode::Period);
     assert_eq!(app.play.world.tick(), tick + 1);
     tap(&mut app, Scancode::P);
+    tap(&mut app, Scancode::LeftBracket);
+    assert_eq!(notice(&app), Some("Speed × 0.5"));
+    tap(&mut app, Scancode::LeftBracket);
     let tick = app.play.world.tick();
-    app.apply(Edit::Scale(0.25));
     frames(&mut app, 60);
     let slow = app.play.world.tick() - tick;
     assert!((29..=31).contains(&slow), "{slow}");
+}
+
+fn notice(app: &App) -> Option<&str> {
+    app.notices.notice().map(|(text, _)| text)
+}
+
+pub fn a_fall_is_told(folder: &Path) {
+    let path = folder.join("pit.ron");
+    let flat = fs::read_to_string(FLAT).unwrap();
+    let pit = flat.replacen("start: (0, 0)", "start: (-16, 0)", 1); // beside all ground
+    assert_ne!(pit, flat);
+    fs::write(&path, pit).unwrap();
+    let mut app = open(&options(FLAT));
+    frames(&mut app, 5);
+    assert_eq!(notice(&app), None);
+    app.apply(Edit::OpenLevel(path));
+    frames(&mut app, 10);
+    assert_eq!(notice(&app), None, "falling");
+    frames(&mut app, 60);
+    assert_eq!(notice(&app), Some("You fell: back at the start"));
 }
 
 pub fn a_controller_comes_and_goes(_: &Path) {

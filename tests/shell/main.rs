@@ -23,6 +23,7 @@ const TESTS: &[Test] = &[
     ("a stall is dropped", devices::a_stall_is_dropped),
     ("losing the focus pauses", devices::losing_the_focus_pauses),
     ("pause, step, speed", devices::pause_step_speed),
+    ("a fall is told", devices::a_fall_is_told),
     (
         "the overlay opens, and a tunable acts",
         tools::a_tunable_acts,
