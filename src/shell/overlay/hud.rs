@@ -161,7 +161,7 @@ fn hint(info: &Info) -> &'static str {
     if info.pads > 0 {
         "Stick  run      A  jump      B  crouch      Back  restart      Start  pause"
     } else {
-        "Arrows or A D  run      Space  jump      Down  crouch      R  restart      F1  tools"
+        "Arrows or A D  run      Space  jump      Down  crouch      R  restart      Esc  pause      F1  tools"
     }
 }
 

@@ -13,6 +13,8 @@ pub const ALARM: [f32; 4] = [1.0, 0.48, 0.40, 1.0];
 const SLATE: [f32; 3] = [0.085, 0.105, 0.14];
 const STONE: [f32; 3] = [0.17, 0.205, 0.26];
 const LIGHT: [f32; 3] = [0.29, 0.35, 0.44];
+/// The grab of a slider: dark enough for the number that is written over it.
+const GRAB: [f32; 3] = [0.38, 0.47, 0.60];
 
 /// A length of so many text heights.
 pub fn size(ui: &Ui, lines: f32) -> f32 {
@@ -56,7 +58,7 @@ fn colours(style: &mut Style) {
         (StyleColor::FrameBg, solid(STONE, 0.9)),
         (StyleColor::FrameBgHovered, solid(LIGHT, 0.8)),
         (StyleColor::FrameBgActive, solid(LIGHT, 1.0)),
-        (StyleColor::SliderGrab, solid([0.52, 0.60, 0.71], 1.0)),
+        (StyleColor::SliderGrab, solid(GRAB, 1.0)),
         (StyleColor::SliderGrabActive, warm(1.0)),
         (StyleColor::CheckMark, warm(1.0)),
         (StyleColor::Button, solid(STONE, 1.0)),
