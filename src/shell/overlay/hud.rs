@@ -51,7 +51,7 @@ impl Pen<'_> {
         let half = [width / 2.0 + line, line * 0.9];
         let corner = |sign: f32| [middle[0] + sign * half[0], middle[1] + sign * half[1]];
         self.list
-            .add_rect(corner(-1.0), corner(1.0), [0.02, 0.03, 0.06, 0.42 * alpha])
+            .add_rect(corner(-1.0), corner(1.0), [0.02, 0.03, 0.06, 0.6 * alpha])
             .filled(true)
             .rounding(line * 0.5)
             .build();
