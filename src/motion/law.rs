@@ -13,6 +13,9 @@ pub struct Law {
     pub until: Option<f64>,
 }
 
+/// Relative rounding of a speed that was turned into one along a slope and back.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
+
 impl Law {
     const REST: Law = Law {
         accel: 0.0,
@@ -92,6 +95,13 @@ pub fn fall(speed: f64, control: &Control, t: &Motion) -> Law {
             falling
         }
     };
+    // A fall along a slope is a component of a speed that was computed from a fall: but for rounding it is still that mark.
+    // Braked for a last bit over its limit, it would be lifted off the slope, and fall back, for ever.
+    let is_met = |mark: &f64| (speed - mark).abs() <= ROUNDING * mark.abs();
+    let speed = [-terminal, t.apex_speed, -t.apex_speed]
+        .into_iter()
+        .find(is_met)
+        .unwrap_or(speed);
     if speed < -terminal {
         return Law::towards(speed, -terminal, t.over_speed_decay);
     }
@@ -211,5 +221,20 @@ mod tests {
         );
         assert_eq!(run(8.0, &right, false, &t), Law::REST);
         assert_eq!(run(0.0, &Control::default(), false, &t), Law::REST);
+    }
+
+    #[test]
+    fn a_mark_is_met_but_for_rounding() {
+        let t = Motion::default();
+        let off = [1.0 - 4.0 * f64::EPSILON, 1.0, 1.0 + 4.0 * f64::EPSILON];
+        for factor in off {
+            assert_eq!(fall(-24.0 * factor, &Control::default(), &t), Law::REST);
+            let held = Control {
+                jump: true,
+                ..Control::default()
+            };
+            assert_eq!(fall(3.0 * factor, &held, &t).until, Some(-3.0));
+        }
+        assert!(fall(-24.0 - 1e-12, &Control::default(), &t).accel > 0.0);
     }
 }

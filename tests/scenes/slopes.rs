@@ -4,6 +4,7 @@ use super::rig::*;
 use super::swept::course;
 use edgewalker::geom::STEP;
 use edgewalker::motion::{Control, EventKind};
+use edgewalker::tune::Motion;
 
 #[test]
 fn scene_34_idle_for_an_hour_on_44_degrees() {
@@ -277,4 +278,28 @@ fn scene_51_between_walkable_and_too_steep() {
         assert!(run.at().y < 0.01, "does not climb: {}", run.at());
         run.frozen(60);
     });
+}
+
+/// The fall of a slide is a component of its speed, which was computed from that fall: it may differ in its last bit. Taken
+/// for faster than the terminal speed it was braked, which lifted the body off; it fell back, for ever at one and the same time.
+#[test]
+fn a_slide_at_the_terminal_speed_goes_on_at_that_speed() {
+    for i in 0..40 {
+        let width = 20.0 + 1.75 * f64::from(i); // on the grid
+        Scene::point()
+            .solid(&[(0.0, 0.0), (width, 0.0), (0.0, 100.0)])
+            .tune(|t| {
+                *t = Motion {
+                    air_brake: 0.0,
+                    ..Motion::default()
+                }
+            })
+            .each(|run| {
+                let fall = Motion::default().fall_speed;
+                run.spawn(0.05 * width, 95.5).advance(0.5);
+                run.velocity(0.01 * width * fall, -fall).advance(3.0);
+                assert!(!run.kinds().contains(&EventKind::Parted), "width {width}");
+                close(run.speed().y, -fall, 1e-12);
+            });
+    }
 }
