@@ -8,6 +8,7 @@ use edgewalker::geom::predicates::{
     crosses, crossing_pixel, in_circle, meets_pixel, orient2d, side, steps,
 };
 use edgewalker::geom::{BOUND, Collider, Point, Source, check_outline, expand, polygon};
+use edgewalker::mesh::Mesh;
 use glam::DVec2;
 use std::cmp::Ordering;
 
@@ -393,4 +394,16 @@ fn colliders_are_checked() {
         Collider::with_labels(vec![p(0, 0), p(1, 0), p(0, 1)], vec![0]),
         Err(Labels)
     );
+}
+
+#[test]
+fn a_square_has_its_diagonal_at_the_smallest_corner() {
+    for (x, y) in [(0, 0), (-7, 3), (-1, -1)] {
+        let corners =
+            [(x, y), (x + 4, y), (x + 4, y + 4), (x, y + 4)].map(|(x, y)| Point::new(x, y));
+        let mesh = Mesh::build(&[expand(&corners, &Collider::point())]).unwrap();
+        let at = |p: Point| mesh.vertices().find(|&v| mesh.point(v) == p).unwrap();
+        assert!(mesh.edge_between(at(corners[0]), at(corners[2])).is_some());
+        assert!(mesh.edge_between(at(corners[1]), at(corners[3])).is_none());
+    }
 }
