@@ -31,24 +31,14 @@ impl View {
 #[cfg(test)]
 pub(crate) mod tests {
     use super::*;
-    use crate::game::Stance;
     use glam::DVec2;
 
     /// A hero in the air at a place and a time.
     pub(crate) fn view(time: f64, position: DVec2, velocity: DVec2) -> View {
         View {
             time,
-            position,
             velocity,
-            normal: DVec2::ZERO,
-            stance: Stance::Air,
-            crouched: false,
-            facing: 1.0,
-            left_at: 0.0,
-            landed_at: 0.0,
-            landed_speed: 0.0,
-            won_at: None,
-            deaths: 0,
+            ..View::at(position)
         }
     }
 
