@@ -81,7 +81,7 @@ fn sweep_edges(bencher: Bencher) {
         let Some(Place::Face(face)) = mesh.locate(p, None) else {
             continue;
         };
-        let start = mesh.point(mesh.origin(mesh.face_edge(face)));
+        let start = mesh.point(mesh.origin(mesh.sides(face)[0]));
         let end =
             start.metres() + DVec2::from_angle(dice.between(0.0, std::f64::consts::TAU)) * 100.0;
         let end = Point::snap(end).unwrap();

@@ -235,10 +235,10 @@ impl Mesh {
         (face != topology::OUTSIDE).then_some(FaceId(face))
     }
 
-    /// One edge that has this face on its left.
+    /// The three edges that have this face on their left, counter-clockwise.
     #[inline]
-    pub fn face_edge(&self, f: FaceId) -> EdgeId {
-        EdgeId(self.topology().face_edge(f.0))
+    pub fn sides(&self, f: FaceId) -> [EdgeId; 3] {
+        self.topology().sides(f.0).map(EdgeId)
     }
 
     /// One edge that starts at this vertex.

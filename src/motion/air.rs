@@ -16,10 +16,8 @@ const DISPLACED: f64 = 4.0 * STEP;
 impl Air {
     /// The first of: leaving the face, reaching a speed limit.
     pub(super) fn next(&self, mesh: &Mesh, tuning: &Motion) -> Option<(f64, Next)> {
-        let first = mesh.face_edge(self.face);
-        let second = mesh.lnext(first);
         let mut best: Option<(f64, bool, EdgeId)> = None;
-        for e in [first, second, mesh.lnext(second)] {
+        for e in mesh.sides(self.face) {
             let blocks = mesh.blocks(e);
             let Some(at) = self.leaves(mesh, e, blocks) else {
                 continue;
@@ -42,11 +40,7 @@ impl Air {
             .flatten()
             .map(|l| l.0)
             .min_by(f64::total_cmp);
-        match (left, limit) {
-            (Some(left), Some(limit)) if limit < left.0 => Some((limit, Next::Limit)),
-            (None, Some(limit)) => Some((limit, Next::Limit)),
-            (left, _) => left,
-        }
+        Next::or_limit(left, limit)
     }
 
     /// When the parabola leaves the face over its edge `e`, as a time after `t0`.
@@ -167,15 +161,8 @@ impl Body {
         }
         let along = track.tangent.dot(v);
         let held = self.is_held_between(at, track.tangent * along, mesh);
-        self.settle(
-            segment,
-            edge,
-            s,
-            if held { 0.0 } else { along },
-            into,
-            terrain,
-            trace,
-        );
+        let (u, into) = (if held { 0.0 } else { along }, into.max(0.0));
+        self.settle(segment, edge, s, u, into, terrain, trace);
     }
 
     /// Whether the velocity that one blocking edge leaves goes into another one, which the body has just left and is not yet

@@ -133,6 +133,17 @@ pub(super) enum Next {
     Clear(Option<f64>),
 }
 
+impl Next {
+    /// An event, or a speed limit if that is reached before it.
+    pub(super) fn or_limit(event: Option<(f64, Next)>, limit: Option<f64>) -> Option<(f64, Next)> {
+        match (event, limit) {
+            (Some((at, _)), Some(limit)) if limit < at => Some((limit, Next::Limit)),
+            (None, Some(limit)) => Some((limit, Next::Limit)),
+            (event, _) => event,
+        }
+    }
+}
+
 /// One body. A plain value: clone it to take a snapshot.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Body {

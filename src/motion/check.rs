@@ -49,8 +49,7 @@ fn in_face(body: &Body, mesh: &Mesh) -> Result<(), String> {
     let touches = |s: SegmentId| air.touching.contains(&Some(s));
     let cut = |&s: &SegmentId| mesh.chain(s).len() > 2;
     let touches_cut = air.touching.iter().flatten().any(cut);
-    let mut e = mesh.face_edge(air.face);
-    for _ in 0..3 {
+    for e in mesh.sides(air.face) {
         let ends = [mesh.origin(e), mesh.dest(e)].map(|v| mesh.point(v).metres());
         let along = ends[1] - ends[0];
         let outside = -along.perp_dot(p - ends[0]) / along.length();
@@ -67,7 +66,6 @@ fn in_face(body: &Body, mesh: &Mesh) -> Result<(), String> {
                 "I1: {outside:e} m outside its face at {p}, {slack:e} allowed"
             ));
         }
-        e = mesh.lnext(e);
     }
     Ok(())
 }

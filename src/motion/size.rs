@@ -41,7 +41,8 @@ pub(super) fn free_face(
 
 /// The free face across an edge of a solid one that is at most a step away.
 fn beside(mesh: &Mesh, solid: FaceId, p: DVec2) -> Option<FaceId> {
-    around(mesh, solid)
+    mesh.sides(solid)
+        .into_iter()
         .map(|e| mesh.sym(e))
         .filter(|&e| mesh.blocks(e))
         .find_map(|e| {
@@ -51,12 +52,6 @@ fn beside(mesh: &Mesh, solid: FaceId, p: DVec2) -> Option<FaceId> {
             let depth = -d.perp_dot(p - a.metres()) / d.length();
             mesh.left(e).filter(|_| depth <= STEP)
         })
-}
-
-fn around(mesh: &Mesh, f: FaceId) -> impl Iterator<Item = EdgeId> {
-    let first = mesh.face_edge(f);
-    let second = mesh.lnext(first);
-    [first, second, mesh.lnext(second)].into_iter()
 }
 
 /// The piece of a feature edge at a parameter that has a free face beside it, as the mesh edge with that face on its left.
@@ -195,7 +190,7 @@ fn clear_in_flight(air: &Air, now: f64, until: f64, mesh: &Mesh) -> Option<f64> 
     };
     let mut since = now - air.t0;
     while air.t0 + since < until {
-        let leaves = around(mesh, face).filter_map(|e| {
+        let leaves = mesh.sides(face).into_iter().filter_map(|e| {
             let (a, b) = (mesh.point(mesh.origin(e)), mesh.point(mesh.dest(e)));
             let (c, b, q) = air.distance(a, b);
             exit(c, b, q, since).map(|at| (at, e))

@@ -5,6 +5,7 @@ use super::body::{
     Wedge,
 };
 use super::law;
+use crate::mesh::{FaceId, SegmentId};
 use glam::DVec2;
 
 /// So many events at one and the same time can only be a cycle. Far above the degree of any vertex of a sound level.
@@ -129,8 +130,8 @@ impl Body {
         &mut self,
         p0: DVec2,
         v0: DVec2,
-        face: crate::mesh::FaceId,
-        touching: [Option<crate::mesh::SegmentId>; 2],
+        face: FaceId,
+        touching: [Option<SegmentId>; 2],
     ) {
         let (accel, limits) = (DVec2::ZERO, [None; 2]);
         self.mode = Mode::Air(Air {

@@ -19,11 +19,7 @@ impl Surface {
         let vertex = self
             .reaches(there)
             .map(|dt| (self.t0 + dt.max(self.since), Next::Vertex));
-        match (vertex, self.limit) {
-            (Some((at, _)), Some((limit, _))) if limit < at => Some((limit, Next::Limit)),
-            (None, Some((limit, _))) => Some((limit, Next::Limit)),
-            (vertex, _) => vertex,
-        }
+        Next::or_limit(vertex, self.limit.map(|(at, _)| at))
     }
 
     /// When a parameter ahead is reached, as a time after `t0`.

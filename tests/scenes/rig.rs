@@ -330,6 +330,12 @@ impl Run<'_> {
             .time
     }
 
+    /// The time of the last event of a kind.
+    pub fn last(&self, kind: impl Fn(EventKind) -> bool) -> f64 {
+        let found = self.trace.events.iter().rfind(|e| kind(e.kind));
+        found.expect("such an event").time
+    }
+
     /// Position to a tolerance; in the shifted variant no closer than the coordinates allow.
     pub fn near(&self, x: f64, y: f64, tolerance: f64) -> &Self {
         let tolerance = if self.variant == Variant::Shifted {

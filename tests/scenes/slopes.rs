@@ -108,12 +108,7 @@ fn scene_42_hops_over_a_convex_joint() {
             run.spawn(-1.0, 0.0).walk(s).advance(3.0);
             let (off, down) = (
                 run.when(|k| k == EventKind::Left),
-                run.trace
-                    .events
-                    .iter()
-                    .rfind(|e| matches!(e.kind, EventKind::Landed(_)))
-                    .unwrap()
-                    .time,
+                run.last(|k| matches!(k, EventKind::Landed(_))),
             );
             let flight = 2.0 * s * sin / (30.0 * cos);
             close(down - off, flight, 1e-11);

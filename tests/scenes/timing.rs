@@ -166,13 +166,7 @@ fn scene_64_crouched_under_a_low_ceiling() {
         assert!(run.crouched(), "no room");
         run.advance(6.0);
         assert!(!run.crouched() && run.supported());
-        let stood = run
-            .trace
-            .events
-            .iter()
-            .rfind(|e| matches!(e.kind, EventKind::Resized(_)))
-            .unwrap()
-            .time;
+        let stood = run.last(|k| matches!(k, EventKind::Resized(_)));
         close(stood, (2.0 + 5.0 + HALF) / 3.0, 1e-12);
     });
     // In the air under a ceiling: stands up as soon as it has fallen clear.
@@ -191,13 +185,7 @@ fn scene_64_crouched_under_a_low_ceiling() {
             .advance(2.0);
         assert!(!run.crouched());
         let left = run.when(|k| k == EventKind::Left);
-        let stood = run
-            .trace
-            .events
-            .iter()
-            .rfind(|e| matches!(e.kind, EventKind::Resized(_)))
-            .unwrap()
-            .time;
+        let stood = run.last(|k| matches!(k, EventKind::Resized(_)));
         close(stood - left, f64::sqrt((TALL - LOW) / 15.0), 1e-11);
     });
 }

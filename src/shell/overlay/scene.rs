@@ -70,7 +70,7 @@ impl MeshPicture {
                 picture.solid.push(mesh.corners(face).map(|p| p.metres()));
             }
             picture.edges.extend(
-                face_edges(mesh, face)
+                mesh.sides(face)
                     .filter(|e| is_first(mesh, *e))
                     .map(|e| describe(mesh, e)),
             );
@@ -120,13 +120,6 @@ impl MeshPicture {
             });
         }
     }
-}
-
-/// The three edges that have a face on their left.
-fn face_edges(mesh: &Mesh, face: FaceId) -> impl Iterator<Item = EdgeId> + '_ {
-    let first = mesh.face_edge(face);
-    let second = mesh.lnext(first);
-    [first, second, mesh.lnext(second)].into_iter()
 }
 
 /// Of the two directions of an edge, the one that is drawn.
