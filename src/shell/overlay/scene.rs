@@ -3,7 +3,7 @@
 use super::MeshSize;
 use crate::game::camera::Pose;
 use crate::game::{Stance, View, World};
-use crate::mesh::{EdgeId, FaceId, Mesh};
+use crate::mesh::{EdgeId, Mesh};
 use crate::shell::play::Play;
 use crate::shell::render::{Line, Tri};
 use glam::{DVec2, Vec3};
@@ -71,6 +71,7 @@ impl MeshPicture {
             }
             picture.edges.extend(
                 mesh.sides(face)
+                    .into_iter()
                     .filter(|e| is_first(mesh, *e))
                     .map(|e| describe(mesh, e)),
             );
