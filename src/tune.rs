@@ -101,6 +101,25 @@ tunables! {
         joint_stick = 40.0 in 0.0..=1000.0, "m/s^2", "Acceleration beside gravity that holds a walker to ground that curves away.";
         joint_span = 1.0 in 0.0001..=100.0, "m", "Longest stretch of an edge that counts as part of the curve at its end.";
         concave = 0.0 in 0.0..=1.0, "", "What a bend towards the walker does to the speed.", ["keep", "project"];
+        slope_gravity = 0.0 in 0.0..=1.0, "", "Share of gravity that acts along walkable ground on one who has no wish.";
+        friction = 0.0 in 0.0..=10.0, "", "Coefficient of friction of walkable ground, beside the brake.";
+        slope_speed = 0.0 in 0.0..=1.0, "", "Share of the wished speed lost uphill and won downhill, times the sine of the slope.";
+        floor_snap = 0.0 in 0.0..=1.0, "m", "How far below the end of the ground a walker is set down on the next.";
+        step_up = 0.0 in 0.0..=1.0, "m", "How high a step a walker takes without a jump.";
+        corner_correction = 0.0 in 0.0..=1.0, "m", "How far a head that barely strikes a ceiling's corner is moved aside.";
+        ledge_correction = 0.0 in 0.0..=1.0, "m", "How far feet that barely miss a ledge are lifted onto it.";
+        wall_slide_speed = 0.0 in 0.0..=1000.0, "m/s", "Terminal speed along a wall that is pushed against; 0: as in the air.";
+        wall_slide_brake = 100.0 in 0.0..=2000.0, "m/s^2", "Deceleration of a faster slide to that speed.";
+        wall_jump_out = 0.0 in 0.0..=100.0, "m/s", "Speed away from the wall at a wall jump.";
+        wall_jump_up = 0.0 in 0.0..=100.0, "m/s", "Upward speed at a wall jump; 0: there is none.";
+        wall_jump_lock = 0.15 in 0.0..=1.0, "s", "How long a wall jump holds the direction away from the wall.";
+        wall_grace = 0.08 in 0.0..=1.0, "s", "How long after coming off a wall a wall jump is still granted.";
+        ledge_hang = 0.0 in 0.0..=4.0, "m", "How far below a ledge the feet hang of one who holds it; 0: nobody does.";
+        ledge_magnet = 0.0 in 0.0..=1.0, "m", "How far below that height a ledge is still taken hold of.";
+        ledge_climb_speed = 5.0 in 0.0..=60.0, "m/s", "Speed of climbing up from a ledge.";
+        climb_speed = 4.0 in 0.0..=60.0, "m/s", "Speed that full stick asks for on ladders and climbable walls.";
+        climb_accel = 60.0 in 0.0..=2000.0, "m/s^2", "Acceleration there.";
+        lift_memory = 0.1 in 0.0..=1.0, "s", "How long one who leaves a moving solid may still jump with the speed it had.";
     }
 }
 

@@ -111,6 +111,7 @@ fn control(dice: &mut Dice) -> Control {
         run,
         jump: dice.below(3) == 0,
         down: dice.below(6) == 0,
+        up: false,
     }
 }
 
@@ -140,6 +141,7 @@ impl Tally {
             Mode::Surface(_) if body.supported() => "ground",
             Mode::Surface(_) => "slide",
             Mode::Wedge(_) => "wedge",
+            Mode::Crushed(_) => "crushed",
         };
         *self.modes.entry(mode).or_default() += 1;
         for event in &trace.events {
@@ -155,6 +157,7 @@ impl Tally {
                 EventKind::Resized(_) => "resized",
                 EventKind::Limit => "limit",
                 EventKind::Stuck => "stuck",
+                _ => "other",
             };
             *self.events.entry(kind).or_default() += 1;
         }
@@ -208,11 +211,7 @@ fn run(seed: u64, ticks: u64, tally: &mut Tally) -> Result<(), String> {
     let outlines = level(&mut dice);
     let [stand, crouch] = meshes(&outlines);
     let tuning = tuning(&mut dice);
-    let terrain = Terrain {
-        stand: &stand,
-        crouch: &crouch,
-        tuning: &tuning,
-    };
+    let terrain = Terrain::new(&stand, &crouch, &tuning);
     let rate = [30.0, 60.0, 120.0, 240.0, 1000.0][dice.below(5) as usize];
     let mut body = start(&mut dice, &terrain, 0.0);
     let (mut trace, mut hold, mut born) = (Trace::default(), 0, 0);
@@ -289,11 +288,7 @@ fn states(
     let mut dice = Dice::new(seed ^ 0x5eed);
     let [stand, crouch] = meshes(outlines);
     let tuning = tuning(&mut dice);
-    let terrain = Terrain {
-        stand: &stand,
-        crouch: &crouch,
-        tuning: &tuning,
-    };
+    let terrain = Terrain::new(&stand, &crouch, &tuning);
     let mut body = loop {
         let at = DVec2::new(sign * dice.between(-REACH, REACH), dice.between(-9.0, 10.0));
         if let Ok(body) = Body::spawn(at, 0.0, &terrain) {
@@ -389,11 +384,7 @@ fn idle_is_frozen() {
         let mut dice = Dice::new(seed);
         let [stand, crouch] = meshes(&level(&mut dice));
         let tuning = Motion::default();
-        let terrain = Terrain {
-            stand: &stand,
-            crouch: &crouch,
-            tuning: &tuning,
-        };
+        let terrain = Terrain::new(&stand, &crouch, &tuning);
         let mut body = start(&mut dice, &terrain, 0.0);
         let mut trace = Trace::default();
         body.advance(20.0, &terrain, &mut trace);

@@ -27,6 +27,7 @@ fn wishes() -> Vec<Control> {
                     run,
                     jump: dice.below(2) == 0,
                     down: dice.below(8) == 0,
+                    up: false,
                 };
             }
             wish

@@ -83,11 +83,7 @@ impl Stage {
 
     /// What bodies move in.
     pub fn terrain<'a>(&'a self, tuning: &'a Motion) -> Terrain<'a> {
-        Terrain {
-            stand: &self.stand,
-            crouch: &self.crouch,
-            tuning,
-        }
+        Terrain::new(&self.stand, &self.crouch, tuning)
     }
 
     /// Hash of what the level says, whatever its layout and comments.

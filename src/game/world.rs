@@ -131,7 +131,7 @@ impl World {
                 Mode::Air(_) => Stance::Air,
                 Mode::Surface(_) if self.hero.supported() => Stance::Ground,
                 Mode::Surface(_) => Stance::Slide,
-                Mode::Wedge(_) => Stance::Wedge,
+                Mode::Wedge(_) | Mode::Crushed(_) => Stance::Wedge,
             },
             crouched: self.hero.size() == Size::Crouch,
             facing: self.facing,
@@ -209,6 +209,7 @@ impl Input {
             run: f64::from(self.run.max(-127)) / 127.0,
             jump: self.jump,
             down: self.down,
+            up: false,
         }
     }
 }

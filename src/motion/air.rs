@@ -1,12 +1,13 @@
 //! In the air: free faces are crossed, blocking edges are hit.
 
-use super::body::{Air, Body, EventKind, Mode, Next, Surface, Terrain, Trace, Wedge};
+use super::body::{Air, Body, EventKind, Mode, Next, Surface, Trace, Wedge};
 use super::law;
 use super::roots::exit;
+use super::terrain::{Ground, Terrain};
 use super::track::{Track, delta, walkable};
 use super::vertex::{JOINT_STEPS, segment_at};
 use crate::geom::{Point, STEP};
-use crate::mesh::{EdgeId, Mesh, SegmentId};
+use crate::mesh::{EdgeId, SegmentId};
 use crate::tune::Motion;
 use glam::DVec2;
 
@@ -15,7 +16,7 @@ const DISPLACED: f64 = 4.0 * STEP;
 
 impl Air {
     /// The first of: leaving the face, reaching a speed limit.
-    pub(super) fn next(&self, mesh: &Mesh, tuning: &Motion) -> Option<(f64, Next)> {
+    pub(super) fn next(&self, mesh: Ground, tuning: &Motion) -> Option<(f64, Next)> {
         let mut best: Option<(f64, bool, EdgeId)> = None;
         for e in mesh.sides(self.face) {
             let blocks = mesh.blocks(e);
@@ -44,7 +45,7 @@ impl Air {
     }
 
     /// When the parabola leaves the face over its edge `e`, as a time after `t0`.
-    fn leaves(&self, mesh: &Mesh, e: EdgeId, blocks: bool) -> Option<f64> {
+    fn leaves(&self, mesh: Ground, e: EdgeId, blocks: bool) -> Option<f64> {
         let (c, b, q) = self.distance(mesh.point(mesh.origin(e)), mesh.point(mesh.dest(e)));
         let over_piece = exit(c, b, q, self.since)?;
         if !blocks {
@@ -67,7 +68,7 @@ impl Air {
 
     /// When a feature edge is hit that was just left, whatever the pieces say: they may point anywhere. Heights over it within
     /// a step are rounding and count as none, unless they grow or shrink.
-    fn comes_back_to(&self, mesh: &Mesh, segment: SegmentId) -> Option<f64> {
+    fn comes_back_to(&self, mesh: Ground, segment: SegmentId) -> Option<f64> {
         let track = Track::of(mesh.segment(segment));
         let (c, b, q) = track.height(self.p0, self.v0, self.accel);
         let on_it = (-STEP..=0.0).contains(&c);
@@ -91,7 +92,7 @@ impl Air {
 
     /// The time of a hit on a piece of a feature edge is that on the feature edge itself: a piece that was cut lies up to
     /// half a step beside it, and so cuts elsewhere along it change nothing, nor does which of several collinear edges is hit.
-    fn on_feature_edge(&self, mesh: &Mesh, e: EdgeId, dt: f64, tuning: &Motion) -> f64 {
+    fn on_feature_edge(&self, mesh: Ground, e: EdgeId, dt: f64, tuning: &Motion) -> f64 {
         let Some(s) = segment_at(mesh, e, tuning.max_slope, |_| false) else {
             return dt;
         };
@@ -111,7 +112,7 @@ impl Body {
     /// `since` is the time of the crossing after the piece's start, as it was computed: rounded to an absolute time it would
     /// not tell apart the crossings of several edges about a vertex.
     pub(super) fn cross(&mut self, edge: EdgeId, since: f64, terrain: &Terrain, trace: &mut Trace) {
-        let mesh = terrain.mesh(self.size);
+        let mesh = self.ground(terrain);
         if let Mode::Air(air) = &mut self.mode {
             air.face = mesh
                 .left(mesh.sym(edge))
@@ -124,7 +125,7 @@ impl Body {
 
     /// At a blocking edge.
     pub(super) fn hit(&mut self, edge: EdgeId, since: f64, terrain: &Terrain, trace: &mut Trace) {
-        let mesh = terrain.mesh(self.size);
+        let mesh = self.ground(terrain);
         let at = self.position();
         if let Mode::Air(air) = &mut self.mode {
             air.since = since;
@@ -137,7 +138,7 @@ impl Body {
 
     /// Meets a feature edge on one of its pieces. At an end of the piece, as rounding goes, the vertex decides.
     fn contact(&mut self, segment: SegmentId, edge: EdgeId, terrain: &Terrain, trace: &mut Trace) {
-        let mesh = terrain.mesh(self.size);
+        let mesh = self.ground(terrain);
         let track = Track::of(mesh.segment(segment));
         let (at, v) = (self.position(), self.velocity());
         let into = -track.normal.dot(v);
@@ -168,7 +169,7 @@ impl Body {
     /// Whether the velocity that one blocking edge leaves goes into another one, which the body has just left and is not yet
     /// apart from by more than a joint: the solution for two edges at once is rest. Without it a body that rises into a
     /// crevice is thrown from side to side ever faster.
-    fn is_held_between(&self, at: DVec2, v: DVec2, mesh: &Mesh) -> bool {
+    fn is_held_between(&self, at: DVec2, v: DVec2, mesh: Ground) -> bool {
         let Mode::Air(air) = &self.mode else {
             return false;
         };
@@ -191,7 +192,7 @@ impl Body {
         terrain: &Terrain,
         trace: &mut Trace,
     ) {
-        let mesh = terrain.mesh(self.size);
+        let mesh = self.ground(terrain);
         let feature_edge = mesh.segment(segment);
         let walkable = walkable(feature_edge, terrain.tuning.max_slope);
         if walkable {
@@ -214,6 +215,7 @@ impl Body {
             since,
             walkable,
             against,
+            ride: None,
         });
     }
 
@@ -226,9 +228,9 @@ impl Body {
             let (segment, v, face) = (
                 on.segment,
                 on.track.tangent * on.u0,
-                self.face(terrain.mesh(self.size)),
+                self.face(&self.ground(terrain)),
             );
-            let p = on.take_off_point(self.time, terrain.mesh(self.size));
+            let p = on.take_off_point(self.time, self.ground(terrain));
             self.fly(p, v, face, [Some(segment), None]);
             self.log(EventKind::Parted, trace);
         }
@@ -258,7 +260,11 @@ impl Body {
             .left(edge)
             .expect("free on the left of a blocking edge");
         self.rising = false;
-        self.mode = Mode::Wedge(Wedge { at, face });
+        self.mode = Mode::Wedge(Wedge {
+            at,
+            face,
+            ride: None,
+        });
         self.log(EventKind::Wedged, trace);
     }
 }

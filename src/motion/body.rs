@@ -1,8 +1,9 @@
 //! The state of one body, and what can be read from it.
 
+use super::mover::Ride;
+use super::terrain::{Ground, Terrain};
 use super::track::Track;
-use crate::mesh::{EdgeId, FaceId, Mesh, SegmentId};
-use crate::tune::Motion;
+use crate::mesh::{EdgeId, FaceId, FeatureId, Mesh, SegmentId};
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
 use xxhash_rust::xxh3::Xxh3;
@@ -14,8 +15,11 @@ pub struct Control {
     pub run: f64,
     /// Jump is held.
     pub jump: bool,
-    /// Down is held: crouch on the ground, fall fast in the air.
+    /// Down is held: crouch on the ground, fall fast in the air, climb down.
     pub down: bool,
+    /// Up is held: climb.
+    #[serde(default)]
+    pub up: bool,
 }
 
 /// The sizes of a body. Their colliders share the lower chain, so that their meshes have the same floors.
@@ -26,27 +30,6 @@ pub enum Size {
     Stand,
     /// Crouched.
     Crouch,
-}
-
-/// What a body moves in.
-#[derive(Clone, Copy, Debug)]
-pub struct Terrain<'a> {
-    /// Mesh of the level for the standing collider.
-    pub stand: &'a Mesh,
-    /// Mesh of the level for the crouching collider.
-    pub crouch: &'a Mesh,
-    /// How it moves.
-    pub tuning: &'a Motion,
-}
-
-impl<'a> Terrain<'a> {
-    /// The mesh for a size.
-    pub fn mesh(&self, size: Size) -> &'a Mesh {
-        match size {
-            Size::Stand => self.stand,
-            Size::Crouch => self.crouch,
-        }
-    }
 }
 
 /// In the air: a parabola through free faces.
@@ -96,6 +79,8 @@ pub struct Surface {
     pub walkable: bool,
     /// The sign of the parameter's direction that is walled up here, or 0.
     pub against: f64,
+    /// What carries the body, the edge and the road being in its frame; `None`: the level.
+    pub ride: Option<Ride>,
 }
 
 /// Held at a vertex by two edges that drive the body back.
@@ -104,6 +89,17 @@ pub struct Wedge {
     /// The vertex, m.
     pub at: DVec2,
     /// A free face there.
+    pub face: FaceId,
+    /// What carries the body, all this being in its frame; `None`: the level.
+    pub ride: Option<Ride>,
+}
+
+/// Crushed: stays where it happened until it is put elsewhere.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Crushed {
+    /// Where, m.
+    pub at: DVec2,
+    /// A face of the level's mesh there.
     pub face: FaceId,
 }
 
@@ -116,6 +112,8 @@ pub enum Mode {
     Surface(Surface),
     /// Wedged.
     Wedge(Wedge),
+    /// Crushed.
+    Crushed(Crushed),
 }
 
 /// What happens next, in closed form.
@@ -194,6 +192,38 @@ pub enum EventKind {
     Resized(Size),
     /// Reached the speed that it was accelerating to, or a change of gravity.
     Limit,
+    /// Took off from a wall.
+    WallJumped,
+    /// Let itself fall through a one-way.
+    Dropped,
+    /// Was set down onto ground this far below the end of the old one (m).
+    Snapped(f64),
+    /// Stepped up onto ground this much higher (m).
+    SteppedUp(f64),
+    /// Was moved this far round a corner that it barely struck (m).
+    Corrected(f64),
+    /// Took hold of a ledge.
+    Grabbed,
+    /// Took hold of a ladder or of a wall that can be climbed.
+    Climbed,
+    /// Let go of what it held.
+    LetGo,
+    /// Came from one frame to another without leaving the ground: onto a moving solid, or onto the level (`None`).
+    Boarded(Option<u32>),
+    /// Is pushed by a moving solid from now on.
+    Pushed(u32),
+    /// Was crushed between a moving solid and something else.
+    Crushed,
+    /// Was found inside a solid that has just been put there, and moved out of it.
+    Embedded,
+    /// Came into a region.
+    Entered(FeatureId),
+    /// Came out of a region.
+    Exited(FeatureId),
+    /// What carries or pushes it began another piece of its path.
+    Node(u32),
+    /// The time is over for which a wall jump holds the direction.
+    Unlocked,
     /// Was held where it is because its events did not end: a defect of this code, kept from hanging the game.
     Stuck,
 }
@@ -236,6 +266,16 @@ impl std::fmt::Display for SpawnError {
 }
 
 impl std::error::Error for SpawnError {}
+
+/// A position in the frame of what carries the body, in the world.
+fn carried(ride: Option<Ride>, t: f64, p: DVec2) -> DVec2 {
+    ride.map_or(p, |ride| p + ride.piece.offset(t))
+}
+
+/// The velocity of what carries the body.
+fn speed_of(ride: Option<Ride>, t: f64) -> DVec2 {
+    ride.map_or(DVec2::ZERO, |ride| ride.piece.velocity(t))
+}
 
 impl Air {
     pub(super) fn position(&self, t: f64) -> DVec2 {
@@ -293,8 +333,13 @@ impl Body {
     pub fn position(&self) -> DVec2 {
         match &self.mode {
             Mode::Air(air) => air.position(self.time),
-            Mode::Surface(on) => on.track.position(on.parameter(self.time)),
-            Mode::Wedge(wedge) => wedge.at,
+            Mode::Surface(on) => carried(
+                on.ride,
+                self.time,
+                on.track.position(on.parameter(self.time)),
+            ),
+            Mode::Wedge(wedge) => carried(wedge.ride, self.time, wedge.at),
+            Mode::Crushed(crushed) => crushed.at,
         }
     }
 
@@ -302,8 +347,29 @@ impl Body {
     pub fn velocity(&self) -> DVec2 {
         match &self.mode {
             Mode::Air(air) => air.velocity(self.time),
-            Mode::Surface(on) => on.track.tangent * on.speed(self.time),
-            Mode::Wedge(_) => DVec2::ZERO,
+            Mode::Surface(on) => {
+                on.track.tangent * on.speed(self.time) + speed_of(on.ride, self.time)
+            }
+            Mode::Wedge(wedge) => speed_of(wedge.ride, self.time),
+            Mode::Crushed(_) => DVec2::ZERO,
+        }
+    }
+
+    /// What carries the body: the index of a moving solid, or the level (`None`, also in the air).
+    pub fn carrier(&self) -> Option<u32> {
+        self.ride().map(|ride| ride.mover)
+    }
+
+    /// The mesh of what carries the body, as it meets it.
+    pub(super) fn ground<'a>(&self, terrain: &Terrain<'a>) -> Ground<'a> {
+        terrain.ground_under(self.carrier(), self.size)
+    }
+
+    pub(super) fn ride(&self) -> Option<Ride> {
+        match &self.mode {
+            Mode::Surface(on) => on.ride,
+            Mode::Wedge(wedge) => wedge.ride,
+            Mode::Air(_) | Mode::Crushed(_) => None,
         }
     }
 
@@ -325,7 +391,7 @@ impl Body {
     pub fn normal(&self) -> DVec2 {
         match &self.mode {
             Mode::Surface(on) => on.track.normal,
-            Mode::Air(_) => DVec2::ZERO,
+            Mode::Air(_) | Mode::Crushed(_) => DVec2::ZERO,
             Mode::Wedge(_) => DVec2::Y,
         }
     }
@@ -359,7 +425,7 @@ impl Body {
         }
     }
 
-    /// The free face that the body is in or beside, in the mesh of its size.
+    /// The free face that the body is in or beside, in the mesh of its size of what carries it.
     pub fn face(&self, mesh: &Mesh) -> FaceId {
         match &self.mode {
             Mode::Air(air) => air.face,
@@ -367,6 +433,7 @@ impl Body {
                 .left(on.edge)
                 .expect("a free face lies left of a surface's edge"),
             Mode::Wedge(wedge) => wedge.face,
+            Mode::Crushed(crushed) => crushed.face,
         }
     }
 
@@ -377,6 +444,7 @@ impl Body {
             Mode::Air(_) => (0, [p.x, p.y]),
             Mode::Surface(on) => (1 + u8::from(on.walkable), [on.parameter(self.time), 0.0]),
             Mode::Wedge(_) => (3, [p.x, p.y]),
+            Mode::Crushed(_) => (4, [p.x, p.y]),
         };
         let flags = [
             mode,

@@ -1,6 +1,7 @@
 //! A flight that meets a vertex: a touch, a landing on one of its two edges, or rest between them.
 
-use super::body::{Body, Mode, Terrain, Trace};
+use super::body::{Body, Mode, Trace};
+use super::terrain::Terrain;
 use super::track::{Track, walkable};
 use super::vertex::{Bearing, Sector, sector, segment_at};
 use crate::mesh::{EdgeId, SegmentId, VertexId};
@@ -21,7 +22,7 @@ impl Body {
         trace: &mut Trace,
     ) -> bool {
         let v = self.velocity();
-        let mesh = terrain.mesh(self.size);
+        let mesh = self.ground(terrain);
         let Mode::Air(air) = &mut self.mode else {
             return false;
         };
@@ -85,7 +86,7 @@ impl Body {
         accel: DVec2,
         terrain: &Terrain,
     ) -> Option<Meeting> {
-        let mesh = terrain.mesh(self.size);
+        let mesh = self.ground(terrain);
         let v = self.velocity();
         let segment = segment_at(mesh, edge, terrain.tuning.max_slope, |_| false)?;
         let track = Track::of(mesh.segment(segment));

@@ -1,13 +1,14 @@
 //! Joints: where a surface turns into another one, turns away from the body, or ends.
 
-use super::body::{Body, EventKind, Mode, Surface, Terrain, Trace};
+use super::body::{Body, EventKind, Mode, Surface, Trace};
+use super::terrain::{Ground, Terrain};
 use super::track::{Track, cross, dot, walkable};
 use super::vertex::{
     Bearing, Heading, JOINT_STEPS, Sector, ahead, behind, bridge, sector, segment_at, surface_next,
     turns_towards,
 };
 use crate::geom::STEP;
-use crate::mesh::{EdgeId, Mesh, SegmentId};
+use crate::mesh::{EdgeId, SegmentId};
 use crate::tune::Motion;
 use glam::DVec2;
 
@@ -46,7 +47,7 @@ struct Onward {
 
 impl Joint {
     /// The way on along an edge of the surface, as part of a feature edge.
-    fn onto(&self, mesh: &Mesh, edge: EdgeId, segment: SegmentId) -> Onward {
+    fn onto(&self, mesh: Ground, edge: EdgeId, segment: SegmentId) -> Onward {
         let track = Track::of(mesh.segment(segment));
         let grows = (self.heading == Heading::Along) == track.leftward_free;
         let sign = if grows { 1.0 } else { -1.0 };
@@ -73,7 +74,7 @@ impl Joint {
     ///
     /// By curvature: iff s^2 k <= g cos(slope) + stick, with the slope of the bisector and k = 2 tan(turn / 2) over the
     /// mean length of the two feature edges, each counted up to the curve span; independent of how finely a curve is drawn.
-    fn holds(&self, on: &Onward, mesh: &Mesh, t: &Motion) -> bool {
+    fn holds(&self, on: &Onward, mesh: Ground, t: &Motion) -> bool {
         if t.joint == 0.0 {
             return true;
         }
@@ -109,7 +110,7 @@ fn unit(v: (i64, i64)) -> DVec2 {
 impl Body {
     /// At the vertex ahead. True if the surface simply goes on along the same line: that is no event.
     pub(super) fn pass_vertex(&mut self, terrain: &Terrain, trace: &mut Trace) -> bool {
-        let mesh = terrain.mesh(self.size);
+        let mesh = self.ground(terrain);
         let now = self.time;
         let Mode::Surface(on) = &mut self.mode else {
             return false;
@@ -151,7 +152,7 @@ impl Body {
         terrain: &Terrain,
         trace: &mut Trace,
     ) -> bool {
-        let mesh = terrain.mesh(self.size);
+        let mesh = self.ground(terrain);
         let t = terrain.tuning;
         let ground = match &onward {
             Some(on) if walkable(mesh.segment(on.segment), t.max_slope) => {
@@ -183,7 +184,7 @@ impl Body {
         terrain: &Terrain,
         trace: &mut Trace,
     ) -> bool {
-        let mesh = terrain.mesh(self.size);
+        let mesh = self.ground(terrain);
         let t = terrain.tuning;
         let now = self.time;
         let Onward {
@@ -227,13 +228,14 @@ impl Body {
             since: 0.0,
             walkable: true,
             against: 0.0,
+            ride: on.ride,
         };
         self.log(EventKind::Joint, trace);
         false
     }
 
     /// At rest before a wall (none: the world's border), which from now on takes up every push.
-    fn stop(&mut self, joint: Joint, wall: Option<Onward>, trace: &mut Trace, mesh: &Mesh) {
+    fn stop(&mut self, joint: Joint, wall: Option<Onward>, trace: &mut Trace, mesh: Ground) {
         let now = self.time;
         let Mode::Surface(on) = &mut self.mode else {
             return;
@@ -250,7 +252,7 @@ impl Body {
     /// Off the end of a surface, in the direction of the motion so far, from the vertex where `onward` begins: the edge that
     /// would continue it.
     fn leave(&mut self, joint: Joint, onward: EdgeId, terrain: &Terrain, trace: &mut Trace) {
-        let mesh = terrain.mesh(self.size);
+        let mesh = self.ground(terrain);
         let walked = self.supported();
         // The edge out of that vertex that has a free face beside the surface on its left.
         let spoke = match joint.heading {
@@ -285,7 +287,7 @@ impl Body {
         terrain: &Terrain,
         trace: &mut Trace,
     ) {
-        let mesh = terrain.mesh(self.size);
+        let mesh = self.ground(terrain);
         let Some(on) = onward else {
             return self.stop(joint, None, trace, mesh);
         };

@@ -6,10 +6,11 @@
 //! is a root in closed form. A piece keeps its base until a real event. Neither the end of a tick nor the crossing of
 //! a free edge is one, and so results depend neither on the tick rate nor on how free space is triangulated.
 //!
-//! In reading order: [`roots`] (when?), [`track`] (along what?), [`vertex`] (what next?), [`law`] (how fast?), [`body`] (the
-//! state), `step` (the sequence of events) with `air`, `corner`, `surface`, `joint` and `size`, [`check`] (the invariants).
+//! In reading order: [`terrain`] and [`mover`] (in what?), [`roots`] (when?), [`track`] (along what?), [`vertex`] (what
+//! next?), [`law`] (how fast?), [`body`] (the state), `step` (the sequence of events) with `air`, `corner`, `surface`, `joint`
+//! and `size`, [`check`] (the invariants).
 //!
-//! What is absent: moving solids, one-way platforms, ladders, several bodies. Static features are all there is.
+//! What is absent: swimming, and solids that rotate. Bodies do not meet each other.
 
 mod air;
 pub mod body;
@@ -17,11 +18,15 @@ pub mod check;
 mod corner;
 mod joint;
 pub mod law;
+pub mod mover;
 pub mod roots;
 mod size;
 mod step;
 mod surface;
+pub mod terrain;
 pub mod track;
 pub mod vertex;
 
-pub use body::{Body, Control, Event, EventKind, Mode, Size, SpawnError, Terrain, Trace};
+pub use body::{Body, Control, Event, EventKind, Mode, Size, SpawnError, Trace};
+pub use mover::{Mover, Path, Piece};
+pub use terrain::{Concave, Ground, Region, Terrain, Traits};

@@ -1,18 +1,19 @@
 //! Changes of size: allowed iff the mesh of the new size says that the place is free. They never shift a body.
 
-use super::body::{Air, Body, EventKind, Mode, Next, Size, SpawnError, Surface, Terrain, Trace};
+use super::body::{Air, Body, EventKind, Mode, Next, Size, SpawnError, Surface, Trace};
 use super::roots::exit;
+use super::terrain::{Ground, Terrain};
 use super::track::delta;
 use super::vertex::{Bearing, JOINT_STEPS, Sector, sector, spokes};
 use crate::geom::STEP;
-use crate::mesh::{EdgeId, FaceId, Mesh, Place, SegmentId};
+use crate::mesh::{EdgeId, FaceId, Place, SegmentId};
 use glam::DVec2;
 
 /// The free face that holds a position, or borders it where it lies on an edge or a vertex; towards `v`, then `accel`.
 ///
 /// A position up to a grid step inside a solid, where only the rounding of a chain has put it, counts as on its border.
 pub(super) fn free_face(
-    mesh: &Mesh,
+    mesh: Ground,
     p: DVec2,
     v: DVec2,
     accel: DVec2,
@@ -40,7 +41,7 @@ pub(super) fn free_face(
 }
 
 /// The free face across an edge of a solid one that is at most a step away.
-fn beside(mesh: &Mesh, solid: FaceId, p: DVec2) -> Option<FaceId> {
+fn beside(mesh: Ground, solid: FaceId, p: DVec2) -> Option<FaceId> {
     mesh.sides(solid)
         .into_iter()
         .map(|e| mesh.sym(e))
@@ -56,7 +57,7 @@ fn beside(mesh: &Mesh, solid: FaceId, p: DVec2) -> Option<FaceId> {
 
 /// The piece of a feature edge at a parameter that has a free face beside it, as the mesh edge with that face on its left.
 /// A body in a corner may stand up to a joint's width beyond the rounded vertex where the piece ends.
-fn piece_at(mesh: &Mesh, segment: SegmentId, s: f64, on: &Surface) -> Option<EdgeId> {
+fn piece_at(mesh: Ground, segment: SegmentId, s: f64, on: &Surface) -> Option<EdgeId> {
     let beyond = |from: f64, to: f64| (from.min(to) - s).max(s - from.max(to)).max(0.0);
     pieces(mesh, segment, on)
         .filter(|&(.., free)| free)
@@ -69,10 +70,11 @@ fn piece_at(mesh: &Mesh, segment: SegmentId, s: f64, on: &Surface) -> Option<Edg
 /// The pieces of a feature edge, from its start: parameters of both ends, the mesh edge with the free side on its left,
 /// and whether it is free there.
 fn pieces<'a>(
-    mesh: &'a Mesh,
+    mesh: Ground<'a>,
     segment: SegmentId,
     on: &'a Surface,
 ) -> impl Iterator<Item = (f64, f64, EdgeId, bool)> + 'a {
+    let mesh = mesh.mesh;
     mesh.chain(segment).windows(2).filter_map(move |ends| {
         let e = mesh.edge_between(ends[1], ends[0])?;
         let [from, to] = [ends[0], ends[1]].map(|v| on.track.parameter_of(mesh.point(v)));
@@ -102,11 +104,11 @@ impl Body {
 
     /// Takes its place in the mesh of another size. False, and nothing changed, if there is no room.
     fn fit(&mut self, size: Size, terrain: &Terrain) -> bool {
-        let mesh = terrain.mesh(size);
+        let mesh = terrain.ground(size);
         self.rebase();
-        let (p, v) = (self.position(), self.velocity());
+        let (p, v, carrier) = (self.position(), self.velocity(), self.carrier());
         if let Mode::Surface(on) = &mut self.mode {
-            let old = *terrain.mesh(self.size).segment(on.segment);
+            let old = *terrain.ground_under(carrier, self.size).segment(on.segment);
             let same = mesh
                 .segment_of(old.feature, old.source)
                 .filter(|&s| (mesh.segment(s).a, mesh.segment(s).b) == (old.a, old.b));
@@ -142,10 +144,9 @@ impl Body {
         let until = next.map_or(f64::INFINITY, |n| n.0);
         let clear = match &self.mode {
             Mode::Surface(on) => self.clear_along(on, terrain),
-            Mode::Air(air) => {
-                clear_in_flight(air, self.time, until, terrain.stand).map(|at| (at, None))
-            }
-            Mode::Wedge(_) => None,
+            Mode::Air(air) => clear_in_flight(air, self.time, until, terrain.ground(Size::Stand))
+                .map(|at| (at, None)),
+            Mode::Wedge(_) | Mode::Crushed(_) => None,
         };
         clear
             .filter(|&(at, _)| at < until)
@@ -167,7 +168,7 @@ impl Body {
         let segment = terrain.stand.segment_of(old.feature, old.source)?;
         let here = on.parameter(self.time);
         let sign = on.sign();
-        let ahead = pieces(terrain.stand, segment, on)
+        let ahead = pieces(terrain.ground(Size::Stand), segment, on)
             .filter(|p| p.3)
             .map(|(from, to, ..)| {
                 if sign > 0.0 {
@@ -184,7 +185,7 @@ impl Body {
 }
 
 /// When a parabola comes out of the solids of a mesh: a walk through its solid faces. Not after `until`.
-fn clear_in_flight(air: &Air, now: f64, until: f64, mesh: &Mesh) -> Option<f64> {
+fn clear_in_flight(air: &Air, now: f64, until: f64, mesh: Ground) -> Option<f64> {
     let Place::Face(mut face) = mesh.locate(air.position(now), None)? else {
         return None;
     };

@@ -1,10 +1,10 @@
 //! The order of operations: controls come in at a time, events are taken in order of time up to another.
 
 use super::body::{
-    Air, Body, Control, Event, EventKind, Mode, Next, Size, SpawnError, Surface, Terrain, Trace,
-    Wedge,
+    Air, Body, Control, Event, EventKind, Mode, Next, Size, SpawnError, Surface, Trace, Wedge,
 };
 use super::law;
+use super::terrain::Terrain;
 use crate::mesh::{FaceId, SegmentId};
 use glam::DVec2;
 
@@ -18,9 +18,13 @@ impl Body {
     /// If the position is no position of the world, or the standing body would overlap a solid there.
     pub fn spawn(at: DVec2, time: f64, terrain: &Terrain) -> Result<Body, SpawnError> {
         let bearing = DVec2::new(0.0, -1.0);
-        let face = super::size::free_face(terrain.stand, at, bearing, bearing)?;
+        let face = super::size::free_face(terrain.ground(Size::Stand), at, bearing, bearing)?;
         let mut body = Body {
-            mode: Mode::Wedge(Wedge { at, face }),
+            mode: Mode::Wedge(Wedge {
+                at,
+                face,
+                ride: None,
+            }),
             size: Size::Stand,
             control: Control::default(),
             time,
@@ -40,7 +44,7 @@ impl Body {
         match &mut self.mode {
             Mode::Air(air) => air.v0 = v,
             Mode::Surface(on) => (on.u0, on.against) = (on.track.tangent.dot(v), 0.0),
-            Mode::Wedge(_) => {}
+            Mode::Wedge(_) | Mode::Crushed(_) => {}
         }
         self.refresh(terrain, trace);
     }
@@ -121,7 +125,7 @@ impl Body {
                 (on.s0, on.u0) = (on.parameter(t), on.speed(t));
                 (on.t0, on.since) = (t, 0.0);
             }
-            Mode::Wedge(_) => {}
+            Mode::Wedge(_) | Mode::Crushed(_) => {}
         }
     }
 
@@ -158,12 +162,13 @@ impl Body {
             Mode::Air(_) => within(self.coyote_from, t.coyote_time),
             Mode::Surface(on) => on.walkable,
             Mode::Wedge(_) => true,
+            Mode::Crushed(_) => false,
         };
         if !grounded {
             return;
         }
-        let mesh = terrain.mesh(self.size);
-        let (mut v, face) = (self.velocity(), self.face(mesh));
+        let mesh = self.ground(terrain);
+        let (mut v, face) = (self.velocity(), self.face(&mesh));
         let p = self.position();
         v.y = v.y.max(0.0) + t.jump_speed;
         let touching = [self.segment(), None];
@@ -231,7 +236,7 @@ impl Body {
                 on.limit = mark.map(|mark| (on.t0 + (mark - on.u0) / on.accel, mark));
                 on.stand_against_wall();
             }
-            Mode::Wedge(_) => {}
+            Mode::Wedge(_) | Mode::Crushed(_) => {}
         }
     }
 
@@ -247,18 +252,18 @@ impl Body {
                 }
             }
             Mode::Surface(on) => on.u0 = on.limit.map_or(on.u0, |(_, until)| until),
-            Mode::Wedge(_) => {}
+            Mode::Wedge(_) | Mode::Crushed(_) => {}
         }
         self.log(EventKind::Limit, trace);
     }
 
     /// Finds the next event.
     pub(super) fn schedule(&mut self, terrain: &Terrain) {
-        let mesh = terrain.mesh(self.size);
+        let mesh = self.ground(terrain);
         let found = match &self.mode {
             Mode::Air(air) => air.next(mesh, terrain.tuning),
             Mode::Surface(on) => on.next(mesh),
-            Mode::Wedge(_) => None,
+            Mode::Wedge(_) | Mode::Crushed(_) => None,
         };
         self.next = self
             .sooner_if_clear(found, terrain)
@@ -267,8 +272,12 @@ impl Body {
 
     /// The last resort against a cycle of events: rest where the body is.
     fn hold(&mut self, terrain: &Terrain, trace: &mut Trace) {
-        let (at, face) = (self.position(), self.face(terrain.mesh(self.size)));
-        self.mode = Mode::Wedge(Wedge { at, face });
+        let (at, face) = (self.position(), self.face(&self.ground(terrain)));
+        self.mode = Mode::Wedge(Wedge {
+            at,
+            face,
+            ride: None,
+        });
         self.next = None;
         self.log(EventKind::Stuck, trace);
     }

@@ -2,13 +2,13 @@
 
 use super::body::{Next, Surface};
 use super::roots::cover;
+use super::terrain::Ground;
 use super::vertex::{Heading, ahead};
-use crate::mesh::Mesh;
 use glam::DVec2;
 
 impl Surface {
     /// The first of: the vertex ahead, a speed limit.
-    pub(super) fn next(&self, mesh: &Mesh) -> Option<(f64, Next)> {
+    pub(super) fn next(&self, mesh: Ground) -> Option<(f64, Next)> {
         let sign = self.sign();
         if sign == 0.0 {
             return None;
@@ -32,7 +32,7 @@ impl Surface {
 
     /// The position at a time, on the free side of the mesh edge too: rounding may have put that up to half a step per axis
     /// before the feature edge, and a flight has to start inside its face.
-    pub(super) fn take_off_point(&self, t: f64, mesh: &Mesh) -> DVec2 {
+    pub(super) fn take_off_point(&self, t: f64, mesh: Ground) -> DVec2 {
         let p = self.track.position(self.parameter(t));
         // In a corner it is where both feature edges meet: off one would be into the other.
         if mesh.chain(self.segment).len() == 2 || self.against != 0.0 {

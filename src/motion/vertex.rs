@@ -1,9 +1,10 @@
 //! Turning about a vertex through free faces: the next edge of a surface, the sector of a direction, the joints that
 //! rounding leaves. Everything here is decided by topology and exact signs.
 
+use super::terrain::Ground;
 use super::track::{cross, delta, dot, walkable};
 use crate::geom::Point;
-use crate::mesh::{EdgeId, FaceId, Mesh, SegmentId, VertexId};
+use crate::mesh::{EdgeId, FaceId, SegmentId, VertexId};
 use glam::DVec2;
 
 /// Rises, drops and gaps of at most this many grid steps between walkable edges count as joints: the one geometric
@@ -20,7 +21,7 @@ pub enum Heading {
 }
 
 /// The vertex that an edge of a surface leads to.
-pub fn ahead(mesh: &Mesh, e: EdgeId, heading: Heading) -> VertexId {
+pub fn ahead(mesh: Ground, e: EdgeId, heading: Heading) -> VertexId {
     match heading {
         Heading::Along => mesh.dest(e),
         Heading::Against => mesh.origin(e),
@@ -28,7 +29,7 @@ pub fn ahead(mesh: &Mesh, e: EdgeId, heading: Heading) -> VertexId {
 }
 
 /// The vertex that an edge of a surface comes from.
-pub fn behind(mesh: &Mesh, e: EdgeId, heading: Heading) -> VertexId {
+pub fn behind(mesh: Ground, e: EdgeId, heading: Heading) -> VertexId {
     ahead(mesh, mesh.sym(e), heading)
 }
 
@@ -43,7 +44,7 @@ pub fn behind(mesh: &Mesh, e: EdgeId, heading: Heading) -> VertexId {
 ///  ---------V<------ e
 ///    solid
 /// ```
-pub fn surface_next(mesh: &Mesh, e: EdgeId, heading: Heading) -> EdgeId {
+pub fn surface_next(mesh: Ground, e: EdgeId, heading: Heading) -> EdgeId {
     match heading {
         Heading::Along => {
             let mut f = mesh.lnext(e);
@@ -67,7 +68,7 @@ pub fn surface_next(mesh: &Mesh, e: EdgeId, heading: Heading) -> EdgeId {
 /// else the best of those that have their solid on the other side. Walkable ones come first, then longer ones, then
 /// earlier features; so neither ids of the mesh nor the order of insertion matter. `None` at the world's border.
 pub fn segment_at(
-    mesh: &Mesh,
+    mesh: Ground,
     e: EdgeId,
     max_slope: f64,
     prefer: impl Fn(SegmentId) -> bool,
@@ -97,7 +98,7 @@ struct Fan {
 }
 
 /// The fan that holds the left face of `spoke`, an edge out of the vertex.
-fn fan(mesh: &Mesh, spoke: EdgeId) -> Fan {
+fn fan(mesh: Ground, spoke: EdgeId) -> Fan {
     let mut first = spoke;
     while !mesh.blocks(first) {
         first = mesh.oprev(first);
@@ -177,7 +178,7 @@ impl Bearing {
 }
 
 /// Where a bearing leads from the origin of `spoke`, among the free faces connected with that edge's left face.
-pub fn sector(mesh: &Mesh, spoke: EdgeId, bearing: Bearing) -> Sector {
+pub fn sector(mesh: Ground, spoke: EdgeId, bearing: Bearing) -> Sector {
     let fan = fan(mesh, spoke);
     let vector = |e: EdgeId| delta(mesh.point(mesh.origin(e)), mesh.point(mesh.dest(e)));
     let hit = fan
@@ -197,7 +198,7 @@ pub fn sector(mesh: &Mesh, spoke: EdgeId, bearing: Bearing) -> Sector {
 /// First along the surface beyond `next`, as long as it stays in the box about the vertex; then across slits to
 /// vertices joined with this one by a free edge.
 pub fn bridge(
-    mesh: &Mesh,
+    mesh: Ground,
     next: EdgeId,
     heading: Heading,
     max_slope: f64,
@@ -212,7 +213,7 @@ fn near(p: Point, home: Point) -> bool {
 }
 
 fn along_surface(
-    mesh: &Mesh,
+    mesh: Ground,
     next: EdgeId,
     heading: Heading,
     max_slope: f64,
@@ -233,7 +234,7 @@ fn along_surface(
 }
 
 fn across_slit(
-    mesh: &Mesh,
+    mesh: Ground,
     home: VertexId,
     heading: Heading,
     max_slope: f64,
@@ -271,12 +272,12 @@ fn across_slit(
     })
 }
 
-fn walkable_at(mesh: &Mesh, e: EdgeId, max_slope: f64) -> Option<SegmentId> {
+fn walkable_at(mesh: Ground, e: EdgeId, max_slope: f64) -> Option<SegmentId> {
     segment_at(mesh, e, max_slope, |_| false).filter(|&s| walkable(mesh.segment(s), max_slope))
 }
 
 /// The edges out of a vertex, counter-clockwise.
-pub fn spokes(mesh: &Mesh, v: VertexId) -> impl Iterator<Item = EdgeId> + '_ {
+pub fn spokes(mesh: Ground<'_>, v: VertexId) -> impl Iterator<Item = EdgeId> + '_ {
     let first = mesh.vertex_edge(v);
     std::iter::successors(Some(first), move |&e| {
         Some(mesh.onext(e)).filter(|&n| n != first)

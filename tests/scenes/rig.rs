@@ -170,11 +170,7 @@ impl Scene {
             self.mesh(variant, &self.stand),
             self.mesh(variant, &self.crouch),
         );
-        let terrain = Terrain {
-            stand: &stand,
-            crouch: &crouch,
-            tuning: &self.tuning,
-        };
+        let terrain = Terrain::new(&stand, &crouch, &self.tuning);
         test(&mut Run {
             variant,
             terrain,

@@ -218,6 +218,7 @@ fn scene_49_the_mirror_image_moves_in_mirrored_bits() {
                     run: [1.0, 1.0, -1.0, 0.5][(step / 37 % 4) as usize],
                     jump: step / 23 % 3 == 0,
                     down: step / 51 % 5 == 4,
+                    up: false,
                 };
                 run.control(held).ticks(1, 60.0);
                 out.borrow_mut().push((

@@ -1,0 +1,125 @@
+//! What a body moves in: the meshes, the traits of their features, the moving solids, the tuning.
+
+use super::body::Size;
+use super::mover::Mover;
+use crate::mesh::{FeatureId, Mesh};
+use crate::tune::Motion;
+use serde::{Deserialize, Serialize};
+use std::ops::Deref;
+
+/// What a closed feature that stops nobody is to a body inside it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Region {
+    /// Nothing: coming and going are not even noted.
+    #[default]
+    None,
+    /// It can be climbed, up, down and sideways.
+    Ladder,
+    /// Coming and going are events; what they mean is for the rules of the game.
+    Plain,
+}
+
+/// What a concave joint does to the speed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Concave {
+    /// All of it goes on.
+    Keep,
+    /// Only its part along the next edge goes on.
+    Project,
+}
+
+/// What a feature is to bodies, besides its shape.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Traits {
+    /// What it is to a body inside it, if it is a region.
+    pub region: Region,
+    /// Its walls can be climbed.
+    pub climbable: bool,
+    /// Speed of its top, a belt, towards growing x, m/s.
+    pub conveyor: f64,
+    /// Coefficient of friction of walkable ground, instead of the tuning's.
+    pub friction: Option<f64>,
+    /// What its concave joints do, instead of the tuning's choice.
+    pub concave: Option<Concave>,
+}
+
+/// What a body moves in.
+#[derive(Clone, Copy, Debug)]
+pub struct Terrain<'a> {
+    /// Mesh of the level for the standing collider.
+    pub stand: &'a Mesh,
+    /// Mesh of the level for the crouching collider.
+    pub crouch: &'a Mesh,
+    /// How it moves.
+    pub tuning: &'a Motion,
+    /// By feature; those beyond the end have the default.
+    pub traits: &'a [Traits],
+    /// The moving solids.
+    pub movers: &'a [Mover],
+}
+
+impl<'a> Terrain<'a> {
+    /// Still ground without any traits.
+    pub fn new(stand: &'a Mesh, crouch: &'a Mesh, tuning: &'a Motion) -> Terrain<'a> {
+        Terrain {
+            stand,
+            crouch,
+            tuning,
+            traits: &[],
+            movers: &[],
+        }
+    }
+
+    /// The mesh of the level for a size.
+    pub fn mesh(&self, size: Size) -> &'a Mesh {
+        match size {
+            Size::Stand => self.stand,
+            Size::Crouch => self.crouch,
+        }
+    }
+
+    /// The level as a body of a size meets it.
+    pub fn ground(&self, size: Size) -> Ground<'a> {
+        Ground {
+            mesh: self.mesh(size),
+            max_slope: self.tuning.max_slope,
+        }
+    }
+
+    /// What carries a body, or the level if nothing does, as a body of a size meets it.
+    pub fn ground_under(&self, mover: Option<u32>, size: Size) -> Ground<'a> {
+        match mover {
+            None => self.ground(size),
+            Some(mover) => Ground {
+                mesh: self.movers[mover as usize].mesh(size),
+                max_slope: self.tuning.max_slope,
+            },
+        }
+    }
+
+    /// The traits of a feature.
+    pub fn traits_of(&self, feature: FeatureId) -> Traits {
+        self.traits
+            .get(feature as usize)
+            .copied()
+            .unwrap_or_default()
+    }
+}
+
+/// A mesh as a body meets it: besides solids, one-ways stop who comes from their front.
+#[derive(Clone, Copy, Debug)]
+pub struct Ground<'a> {
+    /// The mesh.
+    pub mesh: &'a Mesh,
+    /// Steepest ground that can be stood on.
+    pub max_slope: f64,
+}
+
+impl Deref for Ground<'_> {
+    type Target = Mesh;
+
+    fn deref(&self) -> &Mesh {
+        self.mesh
+    }
+}
