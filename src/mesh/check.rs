@@ -3,7 +3,7 @@
 use super::cover::merge;
 use super::topology::{NONE, OUTSIDE, Quarter, inv_rot, rot, sym};
 use super::triangulation::CORNERS;
-use super::{Mesh, SegmentId, VertexId};
+use super::{EdgeId, Kind, Mesh, SegmentId, VertexId};
 use crate::geom::Point;
 use crate::geom::predicates::{meets_pixel, orient2d};
 
@@ -174,6 +174,12 @@ impl Mesh {
             ensure(ranks.is_sorted(), || {
                 format!("edge {q}: its uses are not in order")
             })?;
+            for e in [q, sym(q)].map(EdgeId) {
+                let front = self.fronts(e).next().is_some();
+                ensure(self.has_front(e) == front, || {
+                    format!("{e:?}: fronts on its left: {front}, noted otherwise")
+                })?;
+            }
         }
         Ok(())
     }
@@ -188,12 +194,14 @@ impl Mesh {
             self.check_step(e)?;
         }
         for f in t.faces() {
-            let solid = !self.covers.features(f).is_empty();
+            let is_solid = |&feature: &_| self.kind_of(feature) == Some(Kind::Solid);
+            let solid = self.covers.features(f).iter().any(is_solid);
             ensure(self.covers.is_solid(f) == solid, || {
                 format!("face {f}: solid or not, its cover says otherwise")
             })?;
         }
-        Ok(())
+        self.covers
+            .check_counts(std::iter::once(OUTSIDE).chain(t.faces()))
     }
 
     fn check_step(&self, e: Quarter) -> Result<(), Wrong> {

@@ -2,12 +2,13 @@
 //!
 //! Few different covers occur among many faces, so they are interned and a face holds a number. The cover of a
 //! face follows from that of a neighbour by the uses of the edge between them: who crosses a feature edge to its
-//! left enters the feature once more. Opposite directions cancel, duplicates count twice.
+//! left enters the feature once more. Opposite directions cancel, duplicates count twice. Covers that no face has
+//! any more are dropped and their numbers used again, so that endless edits need no more memory than their mesh.
 
 use super::FeatureId;
 use super::buckets::CellHasher;
 use super::topology::{OUTSIDE, Quarter, Topology, sym};
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 use std::hash::BuildHasherDefault;
 
 /// How often each feature winds around a place; ascending by feature, no zeros.
@@ -25,16 +26,24 @@ const UNKNOWN: CoverId = u32::MAX;
 struct Cover {
     windings: Windings,
     features: Vec<FeatureId>,
+    /// Whether one of the features is a solid.
+    solid: bool,
+    /// How many faces have it.
+    faces: u32,
 }
 
 /// Covers of all faces.
 #[derive(Clone, Debug)]
 pub struct Covers {
     interned: Vec<Cover>,
+    /// Numbers that can be given away.
+    vacant: Vec<CoverId>,
     ids: HashMap<Windings, CoverId, BuildHasherDefault<CellHasher>>,
     of_face: Vec<CoverId>,
     /// Per face: whether a body is stopped by it. The outside stops bodies though nothing covers it.
     solid: Vec<bool>,
+    /// Those of the features that stop nobody.
+    regions: BTreeSet<FeatureId>,
 }
 
 impl Covers {
@@ -43,13 +52,17 @@ impl Covers {
         let empty = Cover {
             windings: Vec::new(),
             features: Vec::new(),
+            solid: false,
+            faces: 1,
         };
         let ids = std::iter::once((Vec::new(), EMPTY)).collect();
         Covers {
             interned: vec![empty],
+            vacant: Vec::new(),
             ids,
             of_face: vec![EMPTY],
             solid: vec![true],
+            regions: BTreeSet::new(),
         }
     }
 
@@ -69,24 +82,66 @@ impl Covers {
         &self.interned[self.of_face[face as usize] as usize].windings
     }
 
+    /// Notes, before a feature covers any face, whether it is a region; otherwise it is a solid.
+    pub fn set_region(&mut self, feature: FeatureId, region: bool) {
+        if region {
+            self.regions.insert(feature);
+        } else {
+            self.regions.remove(&feature);
+        }
+    }
+
+    /// How many different covers there is room for: a measure of the memory in use.
+    pub fn capacity(&self) -> usize {
+        self.interned.len()
+    }
+
+    /// The number of a cover. It is to be given to a face next, or else stays for good.
     fn intern(&mut self, windings: &Windings) -> CoverId {
         if let Some(&id) = self.ids.get(windings) {
             return id;
         }
-        let features = windings.iter().filter(|w| w.1 > 0).map(|w| w.0).collect();
-        let id = self.interned.len() as CoverId;
-        self.ids.insert(windings.clone(), id);
-        self.interned.push(Cover {
+        let inside = windings.iter().filter(|w| w.1 > 0).map(|w| w.0);
+        let features: Vec<FeatureId> = inside.collect();
+        let cover = Cover {
             windings: windings.clone(),
+            solid: features.iter().any(|f| !self.regions.contains(f)),
             features,
-        });
+            faces: 0,
+        };
+        let id = match self.vacant.pop() {
+            Some(id) => {
+                self.interned[id as usize] = cover;
+                id
+            }
+            None => {
+                self.interned.push(cover);
+                self.interned.len() as CoverId - 1
+            }
+        };
+        self.ids.insert(windings.clone(), id);
         id
     }
 
+    /// Gives a cover to a face.
     fn set(&mut self, face: u32, cover: CoverId) {
+        self.interned[cover as usize].faces += 1;
+        self.forget(face);
         self.of_face[face as usize] = cover;
-        self.solid[face as usize] =
-            face == OUTSIDE || !self.interned[cover as usize].features.is_empty();
+        self.solid[face as usize] = face == OUTSIDE || self.interned[cover as usize].solid;
+    }
+
+    /// Makes the cover of a face unknown, and drops it if no other face has it.
+    fn forget(&mut self, face: u32) {
+        let id = std::mem::replace(&mut self.of_face[face as usize], UNKNOWN);
+        let Some(cover) = self.interned.get_mut(id as usize) else {
+            return;
+        };
+        cover.faces -= 1;
+        if cover.faces == 0 && id != EMPTY {
+            self.ids.remove(&cover.windings);
+            self.vacant.push(id);
+        }
     }
 
     /// Works out the covers of new faces from those of their neighbours.
@@ -104,7 +159,7 @@ impl Covers {
         self.of_face.resize(t.face_count(), UNKNOWN);
         self.solid.resize(t.face_count(), false);
         for &face in new {
-            self.of_face[face as usize] = UNKNOWN;
+            self.forget(face);
         }
         let (mut inner, mut border) = (Vec::new(), Vec::new());
         let mut scratch = Windings::new();
@@ -157,6 +212,32 @@ impl Covers {
         merge(&mut windings);
         let cover = self.intern(&windings);
         self.set(face, cover);
+    }
+
+    /// Checks, given all faces, that each cover knows how many of them have it, and that the others are vacant.
+    pub fn check_counts(&self, faces: impl Iterator<Item = u32>) -> Result<(), String> {
+        let mut counts = vec![0; self.interned.len()];
+        for face in faces {
+            counts[self.of_face[face as usize] as usize] += 1;
+        }
+        for (id, (cover, &count)) in self.interned.iter().zip(&counts).enumerate() {
+            if cover.faces != count {
+                return Err(format!(
+                    "cover {id}: {count} faces have it, it counts {}",
+                    cover.faces
+                ));
+            }
+        }
+        let in_use = counts.iter().filter(|&&count| count > 0).count();
+        if in_use + self.vacant.len() != counts.len() || in_use != self.ids.len() {
+            return Err(format!(
+                "{in_use} covers in use, {} of them found by their windings, {} of {} vacant",
+                self.ids.len(),
+                self.vacant.len(),
+                counts.len()
+            ));
+        }
+        Ok(())
     }
 
     /// How often a feature winds around a face.

@@ -44,7 +44,7 @@ impl Mesh {
 
     /// Adds a feature that was just inserted to the covers of the faces inside it.
     pub(super) fn cover_inside(&mut self, feature: FeatureId) {
-        if !self.features[&feature].closed {
+        if !self.features[&feature].winds {
             return;
         }
         let mut stack = self.windings_along(feature);

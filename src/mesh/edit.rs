@@ -10,9 +10,9 @@ use super::snap::{Arrangement, Diff};
 use super::topology::Quarter;
 use super::triangulation::{CORNERS, EDGE_OF_WORLD, Triangulation};
 use super::uses::Uses;
-use super::{Feature, FeatureId, Mesh, MeshError, Segment, SegmentId, VertexId};
+use super::{Feature, FeatureId, Kind, Mesh, MeshError, Segment, SegmentId, VertexId};
 use crate::geom::{ExpandedEdge, Point};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Binary logarithm of the cell size of a mesh without segments to judge by: 1 m.
 const DEFAULT_SHIFT: u32 = 16;
@@ -20,8 +20,16 @@ const DEFAULT_SHIFT: u32 = 16;
 /// Binary logarithm of the smallest cell size, 4 mm: a segment right across the world then still has few cells.
 const MIN_SHIFT: u32 = 8;
 
+/// A feature on its way into the mesh.
+#[derive(Clone, Copy)]
+struct Entry<'a> {
+    id: FeatureId,
+    kind: Kind,
+    edges: &'a [ExpandedEdge],
+}
+
 impl Mesh {
-    /// The mesh of features with ids 0, 1, 2 ... in order.
+    /// The mesh of solids with ids 0, 1, 2 ... in order.
     ///
     /// Edges that form one closed chain cover what it winds around, the solid on their left. Others are
     /// *wires*: they are in the mesh and cover nothing.
@@ -29,14 +37,37 @@ impl Mesh {
     /// # Errors
     /// If an edge leaves the world or has no length.
     pub fn build(features: &[Vec<ExpandedEdge>]) -> Result<Mesh, MeshError> {
-        let mut batch: Vec<(FeatureId, &[ExpandedEdge])> =
-            (0..).zip(features.iter().map(Vec::as_slice)).collect();
-        for (id, edges) in &batch {
-            check(*id, edges)?;
+        let kind = Kind::Solid;
+        let entry = |(id, edges)| Entry { id, kind, edges };
+        let edges = features.iter().map(Vec::as_slice);
+        Self::assemble((0..).zip(edges).map(entry).collect())
+    }
+
+    /// The mesh of features of any kinds, with ids of the caller's choice.
+    ///
+    /// # Errors
+    /// If two have the same id, or an edge leaves the world or has no length.
+    pub fn of(features: &[(FeatureId, Kind, Vec<ExpandedEdge>)]) -> Result<Mesh, MeshError> {
+        let mut seen = BTreeSet::new();
+        if let Some(&(feature, ..)) = features.iter().find(|f| !seen.insert(f.0)) {
+            return Err(MeshError::Occupied { feature });
+        }
+        let entries = features.iter().map(|(id, kind, edges)| Entry {
+            id: *id,
+            kind: *kind,
+            edges,
+        });
+        Self::assemble(entries.collect())
+    }
+
+    /// The mesh of features whose ids differ.
+    fn assemble(mut batch: Vec<Entry>) -> Result<Mesh, MeshError> {
+        for entry in &batch {
+            check(entry)?;
         }
         // Neighbours in the plane become neighbours in memory.
-        batch.sort_by_cached_key(|(_, edges)| edges.first().map(|e| hilbert(e.a)));
-        let mut mesh = Mesh::empty(usual_shift(features));
+        batch.sort_by_cached_key(|entry| entry.edges.first().map(|e| hilbert(e.a)));
+        let mut mesh = Mesh::empty(usual_shift(&batch));
         mesh.put(&batch);
         mesh.spread(None);
         Ok(mesh)
@@ -50,6 +81,7 @@ impl Mesh {
             uses: Uses::default(),
             covers: Covers::new(),
             segments: Vec::new(),
+            kinds: Vec::new(),
             winds: Vec::new(),
             features: BTreeMap::new(),
             rewired: 0,
@@ -58,16 +90,31 @@ impl Mesh {
         mesh
     }
 
-    /// Adds a feature under an id of the caller's choice.
+    /// Adds a solid under an id of the caller's choice.
     ///
     /// # Errors
     /// If the id is taken, or an edge leaves the world or has no length; then nothing has changed.
     pub fn insert(&mut self, feature: FeatureId, edges: &[ExpandedEdge]) -> Result<(), MeshError> {
+        self.insert_as(feature, Kind::Solid, edges)
+    }
+
+    /// Adds a feature of some kind under an id of the caller's choice.
+    ///
+    /// # Errors
+    /// If the id is taken, or an edge leaves the world or has no length; then nothing has changed.
+    pub fn insert_as(
+        &mut self,
+        feature: FeatureId,
+        kind: Kind,
+        edges: &[ExpandedEdge],
+    ) -> Result<(), MeshError> {
         if self.features.contains_key(&feature) {
             return Err(MeshError::Occupied { feature });
         }
-        check(feature, edges)?;
-        self.put(&[(feature, edges)]);
+        let id = feature;
+        let entry = Entry { id, kind, edges };
+        check(&entry)?;
+        self.put(&[entry]);
         self.spread(Some(feature));
         self.cover_inside(feature);
         Ok(())
@@ -90,26 +137,28 @@ impl Mesh {
         let diff = self.arrangement.edit(&[], &segments);
         self.apply(&diff);
         self.spread(None);
+        self.covers.set_region(feature, false);
         Ok(())
     }
 
     /// Adds checked features to everything but the covers.
-    fn put(&mut self, batch: &[(FeatureId, &[ExpandedEdge])]) {
-        let edges = batch.iter().flat_map(|(_, edges)| edges.iter());
+    fn put(&mut self, batch: &[Entry]) {
+        let edges = batch.iter().flat_map(|entry| entry.edges);
         let ends: Vec<(Point, Point)> = edges.map(|e| (e.a, e.b)).collect();
         let diff = self.arrangement.edit(&ends, &[]);
         let mut ids = diff.added.as_slice();
-        for &(feature, edges) in batch {
-            let (own, rest) = ids.split_at(edges.len());
-            self.record(feature, edges, own);
+        for entry in batch {
+            let (own, rest) = ids.split_at(entry.edges.len());
+            self.record(entry, own);
             ids = rest;
         }
         self.apply(&diff);
     }
 
     /// Notes which segments are whose.
-    fn record(&mut self, feature: FeatureId, edges: &[ExpandedEdge], ids: &[SegmentId]) {
-        let closed = is_closed(edges);
+    fn record(&mut self, entry: &Entry, ids: &[SegmentId]) {
+        let &Entry { id, kind, edges } = entry;
+        let (feature, winds) = (id, kind != Kind::OneWay && is_closed(edges));
         for (id, edge) in ids.iter().zip(edges) {
             let &ExpandedEdge { a, b, source } = edge;
             let segment = Segment {
@@ -120,11 +169,14 @@ impl Mesh {
             };
             if id.index() == self.segments.len() {
                 self.segments.push(segment);
-                self.winds.push(closed);
+                self.kinds.push(kind);
+                self.winds.push(winds);
             }
             self.segments[id.index()] = segment;
-            self.winds[id.index()] = closed;
+            self.kinds[id.index()] = kind;
+            self.winds[id.index()] = winds;
         }
+        self.covers.set_region(feature, kind == Kind::Region);
         let source = |(&id, edge): (&SegmentId, &ExpandedEdge)| (edge.source, id);
         let mut by_source: Vec<_> = ids.iter().zip(edges).map(source).collect();
         by_source.sort_unstable();
@@ -132,9 +184,10 @@ impl Mesh {
         self.features.insert(
             feature,
             Feature {
+                kind,
                 segments,
                 by_source,
-                closed,
+                winds,
             },
         );
     }
@@ -164,7 +217,8 @@ impl Mesh {
             for pair in chain.windows(2) {
                 let e = self.triangulation.enforce(pair[0].0, pair[1].0);
                 self.triangulation.fix(e);
-                self.uses.add(e, segment, &self.segments);
+                let one_way = self.kinds[segment.index()] == Kind::OneWay;
+                self.uses.add(e, segment, one_way, &self.segments);
             }
         }
         self.triangulation.legalise();
@@ -191,7 +245,10 @@ impl Mesh {
 }
 
 /// Checks the edges of a feature at the door.
-fn check(feature: FeatureId, edges: &[ExpandedEdge]) -> Result<(), MeshError> {
+fn check(entry: &Entry) -> Result<(), MeshError> {
+    let &Entry {
+        id: feature, edges, ..
+    } = entry;
     let inside = |p: Point| p.x.unsigned_abs().max(p.y.unsigned_abs()) < EDGE_OF_WORLD as u32;
     for (edge, e) in edges.iter().enumerate() {
         if !(inside(e.a) && inside(e.b)) {
@@ -210,10 +267,10 @@ fn is_closed(edges: &[ExpandedEdge]) -> bool {
 }
 
 /// Binary logarithm of the mean length of the edges.
-fn usual_shift(features: &[Vec<ExpandedEdge>]) -> u32 {
+fn usual_shift(batch: &[Entry]) -> u32 {
     let length = |e: &ExpandedEdge| u64::from(e.a.x.abs_diff(e.b.x).max(e.a.y.abs_diff(e.b.y)));
-    let count = features.iter().map(Vec::len).sum::<usize>() as u64;
-    let total: u64 = features.iter().flatten().map(length).sum();
+    let count = batch.iter().map(|entry| entry.edges.len()).sum::<usize>() as u64;
+    let total: u64 = batch.iter().flat_map(|entry| entry.edges).map(length).sum();
     total
         .checked_div(count)
         .and_then(u64::checked_ilog2)

@@ -6,7 +6,7 @@ use crate::geom::Point;
 use xxhash_rust::xxh3::Xxh3;
 
 impl Mesh {
-    /// Equal for meshes with the same triangles, the same feature edges along each edge and the same covers,
+    /// Equal for meshes with the same triangles, the same feature edges of the same kinds along each edge and the same covers,
     /// whatever the order in which the features came.
     pub fn hash(&self) -> u64 {
         let mut hash = Xxh3::new();
@@ -55,11 +55,11 @@ impl Mesh {
             for u in self.uses.of(q) {
                 let segment = self.segment(u.segment);
                 hash.update(&segment.feature.to_le_bytes());
-                let (kind, index, side) = match segment.source {
+                let (form, index, side) = match segment.source {
                     Source::Edge { edge } => (u8::from(u.forward), edge, 0),
                     Source::Corner { vertex, side } => (2 + u8::from(u.forward), vertex, side),
                 };
-                hash.update(&[kind]);
+                hash.update(&[self.kind(u.segment) as u8, form]);
                 hash.update(&index.to_le_bytes());
                 hash.update(&side.to_le_bytes());
             }

@@ -27,6 +27,7 @@ mod walk;
 
 use crate::geom::{Point, predicates};
 use glam::DVec2;
+use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::fmt;
 
@@ -35,25 +36,31 @@ pub use crate::geom::{ExpandedEdge, Source};
 /// Index of a feature in the list the mesh was built from.
 pub type FeatureId = u32;
 
-/// A directed primal edge of the quad-edge structure.
+/// What a feature does to bodies.
 #[derive(
-    Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize, serde::Deserialize,
+    Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize,
 )]
+pub enum Kind {
+    /// A closed chain of edges that stops bodies outside it. If it is open it is a *wire*: in the mesh, and no more.
+    #[default]
+    Solid,
+    /// Edges that may stop a body that comes from their *front*, the side on their right; they cover nothing.
+    OneWay,
+    /// A closed chain of edges around a place that bodies can be in; it stops nobody.
+    Region,
+}
+
+/// A directed primal edge of the quad-edge structure.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 pub struct EdgeId(pub u32);
 /// A triangle.
-#[derive(
-    Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize, serde::Deserialize,
-)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 pub struct FaceId(pub u32);
 /// A mesh vertex.
-#[derive(
-    Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize, serde::Deserialize,
-)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 pub struct VertexId(pub u32);
 /// A feature edge: one edge of one expanded outline, as it was before anything cut it.
-#[derive(
-    Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize, serde::Deserialize,
-)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 pub struct SegmentId(pub u32);
 
 impl VertexId {
@@ -68,7 +75,7 @@ impl SegmentId {
     }
 }
 
-/// A feature edge. The solid is on its left.
+/// A feature edge. The solid or the region is on its left, the front of a one-way on its right.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Segment {
     /// Start.
@@ -166,7 +173,9 @@ pub struct Mesh {
     covers: cover::Covers,
     /// Feature edges by id; unused ids keep their last one.
     segments: Vec<Segment>,
-    /// Per segment: whether its feature is closed, so that crossing it changes the cover.
+    /// Per segment: the kind of its feature.
+    kinds: Vec<Kind>,
+    /// Per segment: whether its feature covers what it winds around, so that crossing it changes the cover.
     winds: Vec<bool>,
     features: BTreeMap<FeatureId, Feature>,
     /// Faces that the last edit made or changed.
@@ -176,12 +185,13 @@ pub struct Mesh {
 /// The edges of one feature.
 #[derive(Clone, Debug)]
 struct Feature {
+    kind: Kind,
     /// In the order in which they were given.
     segments: Vec<SegmentId>,
     /// The same by source.
     by_source: Vec<(Source, SegmentId)>,
-    /// Whether they form one closed chain. What is not closed is a wire: it covers nothing.
-    closed: bool,
+    /// Whether it covers what its edges wind around: solids and regions do whose edges form one closed chain.
+    winds: bool,
 }
 
 // Topology and geometry.
@@ -312,14 +322,27 @@ impl Mesh {
         self.covers.is_solid(f.0)
     }
 
-    /// Whether a body left of the edge is stopped by it: the left face is free, the right one solid or outside the world.
+    /// Whether a body left of the edge is stopped by solids: the left face is free, the right one solid or outside
+    /// the world. One-ways are not counted: ask [`Mesh::has_front`].
     #[inline]
     pub fn blocks(&self, e: EdgeId) -> bool {
         let t = self.topology();
         !self.covers.is_solid(t.left(e.0)) && self.covers.is_solid(t.left(topology::sym(e.0)))
     }
 
-    /// The features that cover the face, ascending.
+    /// Whether the front of some one-way lies left of the edge: it may stop a body that comes from there.
+    #[inline]
+    pub fn has_front(&self, e: EdgeId) -> bool {
+        self.uses.has_front(e.0)
+    }
+
+    /// The one-way feature edges along an edge that have their front on its left, in the order of [`Mesh::uses`].
+    pub fn fronts(&self, e: EdgeId) -> impl Iterator<Item = SegmentId> + '_ {
+        let front = |u: &Use| !u.forward && self.kind(u.segment) == Kind::OneWay;
+        self.uses.of(e.0).filter(front).map(|u| u.segment)
+    }
+
+    /// The solids and regions that cover the face, ascending.
     pub fn cover(&self, f: FaceId) -> &[FeatureId] {
         self.covers.features(f.0)
     }
@@ -333,6 +356,17 @@ impl Mesh {
     #[inline]
     pub fn segment(&self, s: SegmentId) -> &Segment {
         &self.segments[s.index()]
+    }
+
+    /// The kind of the feature that a feature edge belongs to.
+    #[inline]
+    pub fn kind(&self, s: SegmentId) -> Kind {
+        self.kinds[s.index()]
+    }
+
+    /// The kind of a feature.
+    pub fn kind_of(&self, feature: FeatureId) -> Option<Kind> {
+        self.features.get(&feature).map(|f| f.kind)
     }
 
     /// The mesh vertices that a feature edge runs through, from a to b.
@@ -355,6 +389,11 @@ impl Mesh {
     /// How many faces the last edit made, changed or removed: a measure of its locality.
     pub fn rewired(&self) -> usize {
         self.rewired
+    }
+
+    /// How many different covers of faces there is room for; edits use the room of covers that are gone again.
+    pub fn cover_room(&self) -> usize {
+        self.covers.capacity()
     }
 
     /// The ids of all features, ascending.

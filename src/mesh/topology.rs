@@ -53,7 +53,7 @@ pub struct Topology {
     face_edge: Vec<Quarter>,
     free_quads: Vec<u32>,
     free_faces: Vec<u32>,
-    /// Per face: whether its corners changed since [`Topology::take_touched`].
+    /// Per face: whether it was made, changed or removed since [`Topology::take_touched`].
     touched: Vec<bool>,
     touched_list: Vec<u32>,
 }
@@ -263,6 +263,10 @@ impl Topology {
             self.set_next(next, sym(q));
         }
         self.face_edge[face as usize] = x;
+        self.touch(face);
+    }
+
+    fn touch(&mut self, face: u32) {
         if !self.touched[face as usize] {
             self.touched[face as usize] = true;
             self.touched_list.push(face);
@@ -359,13 +363,14 @@ impl Topology {
         for face in [faces[1], faces[2]] {
             self.face_edge[face as usize] = NONE;
             self.free_faces.push(face);
+            self.touch(face);
         }
         self.vertex_edge[v as usize] = NONE;
         self.set_triangle(sides, faces[0]);
         faces[0]
     }
 
-    /// The faces whose corners changed since the last call, in order of the first change; some may be gone.
+    /// The faces made, changed or removed since the last call, in order of the first change.
     pub fn take_touched(&mut self) -> Vec<u32> {
         for &f in &self.touched_list {
             self.touched[f as usize] = false;

@@ -11,6 +11,9 @@ use super::{Segment, SegmentId, Use};
 pub struct Uses {
     /// First link of each edge record's list; edges beyond the end have none.
     heads: Vec<u32>,
+    /// Per edge record, as many as `heads`: whether the front of a one-way lies left of the quarter-edge with r = 0,
+    /// and of that with r = 2. Bodies ask at every edge that they cross.
+    fronts: Vec<[bool; 2]>,
     links: Vec<Link>,
     free: Vec<u32>,
 }
@@ -18,6 +21,8 @@ pub struct Uses {
 #[derive(Clone, Copy, Debug)]
 struct Link {
     segment: SegmentId,
+    /// Whether it belongs to a one-way.
+    one_way: bool,
     /// Direction relative to the quarter-edge with r = 0.
     forward: bool,
     next: u32,
@@ -31,6 +36,13 @@ impl Uses {
     /// Whether nothing runs along an edge.
     pub fn is_empty(&self, e: Quarter) -> bool {
         self.head(e) == NONE
+    }
+
+    /// Whether the front of a one-way lies left of an edge: it runs the other way.
+    #[inline]
+    pub fn has_front(&self, e: Quarter) -> bool {
+        let fronts = self.fronts.get((e >> 2) as usize);
+        fronts.is_some_and(|fronts| fronts[usize::from(e & 2 != 0)])
     }
 
     /// The uses of an edge, by feature, source and ends, with directions relative to `e`.
@@ -47,10 +59,11 @@ impl Uses {
         })
     }
 
-    /// Adds a use of an edge by a segment that runs in the direction of `e`.
-    pub fn add(&mut self, e: Quarter, segment: SegmentId, segments: &[Segment]) {
+    /// Adds a use of an edge by a segment, of a one-way or not, that runs in the direction of `e`.
+    pub fn add(&mut self, e: Quarter, segment: SegmentId, one_way: bool, segments: &[Segment]) {
         if self.heads.len() <= (e >> 2) as usize {
             self.heads.resize((e >> 2) as usize + 1, NONE);
+            self.fronts.resize((e >> 2) as usize + 1, [false; 2]);
         }
         let rank = |s: SegmentId| segments[s.index()].rank();
         let (mut before, mut at) = (NONE, self.head(e));
@@ -59,6 +72,7 @@ impl Uses {
         }
         let link = Link {
             segment,
+            one_way,
             forward: e & 2 == 0,
             next: at,
         };
@@ -73,6 +87,7 @@ impl Uses {
             }
         };
         self.set_next(e, before, new);
+        self.note_fronts(e);
     }
 
     /// Removes the use of an edge by a segment, which must be there.
@@ -83,6 +98,18 @@ impl Uses {
         }
         self.set_next(e, before, self.links[at as usize].next);
         self.free.push(at);
+        self.note_fronts(e);
+    }
+
+    /// Brings the fronts of an edge up to date with its list.
+    fn note_fronts(&mut self, e: Quarter) {
+        let mut fronts = [false; 2];
+        let mut at = self.head(e);
+        while let Some(link) = self.links.get(at as usize) {
+            fronts[usize::from(link.forward)] |= link.one_way;
+            at = link.next;
+        }
+        self.fronts[(e >> 2) as usize] = fronts;
     }
 
     /// Lets the list of `e` go on with `next` after the link `before`, or start with it.
@@ -119,15 +146,18 @@ mod tests {
             let mut uses = Uses::default();
             for s in order {
                 // The one of feature 3 runs against the others.
-                uses.add(if s == 1 { 10 } else { 8 }, SegmentId(s), &segments);
+                uses.add(if s == 1 { 10 } else { 8 }, SegmentId(s), s == 1, &segments);
             }
             assert_eq!(ids(&uses, 8), [(1, false), (2, true), (0, true)]);
             assert_eq!(ids(&uses, 10), [(1, true), (2, false), (0, false)]);
+            // And it is a one-way: its front is on its right.
+            assert!(uses.has_front(8) && !uses.has_front(10));
             uses.remove(8, SegmentId(2));
             assert_eq!(ids(&uses, 8), [(1, false), (0, true)]);
             uses.remove(8, SegmentId(1));
             uses.remove(10, SegmentId(0));
             assert!(uses.is_empty(8) && uses.is_empty(400));
+            assert!(!uses.has_front(8) && !uses.has_front(400));
         }
     }
 }
