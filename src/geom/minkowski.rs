@@ -110,8 +110,13 @@ impl Collider {
 
     /// A body without size: the expanded outline is the outline.
     pub fn point() -> Self {
+        Self::just(Point::default())
+    }
+
+    /// One point of a body, in steps from its reference point.
+    pub(super) fn just(at: Point) -> Self {
         Collider {
-            corners: vec![Point::default()],
+            corners: vec![at],
             labels: vec![0],
         }
     }
@@ -150,13 +155,28 @@ impl Collider {
     }
 
     /// Corner `i` of the reflected collider, counter-clockwise as well.
-    fn reflected(&self, i: usize) -> Point {
+    pub(super) fn reflected(&self, i: usize) -> Point {
         Point::new(-self.corners[i].x, -self.corners[i].y)
+    }
+
+    /// Index of the corner after corner `i`, counter-clockwise.
+    pub(super) fn after(&self, i: usize) -> usize {
+        (i + 1) % self.corners.len()
+    }
+
+    /// Index of the corner before corner `i`.
+    pub(super) fn before(&self, i: usize) -> usize {
+        (i + self.corners.len() - 1) % self.corners.len()
+    }
+
+    /// Label of the side that starts at corner `i`.
+    pub(super) fn label(&self, i: usize) -> u32 {
+        self.labels[i]
     }
 
     /// First and last (counter-clockwise) of the corners of the reflected collider that are furthest to the
     /// right of a direction: equal, or the ends of the side that is parallel to it.
-    fn extreme(&self, direction: (i64, i64)) -> (usize, usize) {
+    pub(super) fn extreme(&self, direction: (i64, i64)) -> (usize, usize) {
         let n = self.corners.len();
         let height = |i: usize| {
             let p = self.reflected(i);
@@ -165,10 +185,10 @@ impl Collider {
         let top = (0..n).map(height).max().unwrap_or(0);
         let is_top = |&i: &usize| height(i) == top;
         let first = (0..n)
-            .find(|&i| is_top(&i) && !is_top(&((i + n - 1) % n)))
+            .find(|&i| is_top(&i) && !is_top(&self.before(i)))
             .unwrap_or(0);
         let last = (0..n)
-            .find(|&i| is_top(&i) && !is_top(&((i + 1) % n)))
+            .find(|&i| is_top(&i) && !is_top(&self.after(i)))
             .unwrap_or(first);
         (first, last)
     }
@@ -265,17 +285,16 @@ impl Walker<'_> {
     /// The arc around the i-th corner: forwards along the collider where the outline is convex or straight,
     /// backwards where it is reflex.
     fn corner(&self, i: usize, edges: &mut Vec<ExpandedEdge>) {
-        let n = self.collider.corners.len();
         let (mut at, end) = self.contacts(i);
         let forward = self.turn(i) != Ordering::Less;
         let p = self.point(i);
         while at != end {
             let next = if forward {
-                (at + 1) % n
+                self.collider.after(at)
             } else {
-                (at + n - 1) % n
+                self.collider.before(at)
             };
-            let side = self.collider.labels[if forward { at } else { next }];
+            let side = self.collider.label(if forward { at } else { next });
             let source = Source::Corner {
                 vertex: self.index(i) as u32,
                 side,
@@ -291,12 +310,12 @@ impl Walker<'_> {
     }
 }
 
-fn sum(p: Point, q: Point) -> Point {
+pub(super) fn sum(p: Point, q: Point) -> Point {
     Point::new(p.x + q.x, p.y + q.y)
 }
 
 /// Adds an edge, unless it has no length.
-fn push(edges: &mut Vec<ExpandedEdge>, a: Point, b: Point, source: Source) {
+pub(super) fn push(edges: &mut Vec<ExpandedEdge>, a: Point, b: Point, source: Source) {
     if a != b {
         edges.push(ExpandedEdge { a, b, source });
     }

@@ -2,9 +2,11 @@
 
 pub mod grid;
 pub mod minkowski;
+pub mod one_way;
 pub mod polygon;
 pub mod predicates;
 
 pub use grid::{BOUND, Point, STEP};
 pub use minkowski::{Collider, ColliderError, ExpandedEdge, Source, expand};
+pub use one_way::{check_polyline, expand_about, expand_one_way};
 pub use polygon::{OutlineError, check_outline};

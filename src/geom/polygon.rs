@@ -6,11 +6,16 @@ use super::grid::Point;
 use super::predicates::{cross, delta, dot, orient2d};
 use std::fmt;
 
-/// Why an outline is not a simple polygon.
+/// Why an outline is not a simple polygon, or a polyline has no front.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OutlineError {
     /// Fewer than three corners.
     TooFew {
+        /// How many there are.
+        corners: usize,
+    },
+    /// A polyline of fewer than two corners.
+    TooShort {
         /// How many there are.
         corners: usize,
     },
@@ -38,6 +43,9 @@ impl fmt::Display for OutlineError {
         match self {
             OutlineError::TooFew { corners } => {
                 write!(f, "an outline needs 3 corners and this one has {corners}")
+            }
+            OutlineError::TooShort { corners } => {
+                write!(f, "a polyline needs 2 corners and this one has {corners}")
             }
             OutlineError::ZeroLength { edge } => {
                 write!(f, "edge {edge} has no length (on the grid)")

@@ -145,7 +145,7 @@ fn snapped(outline: &[DVec2]) -> Vec<Point> {
 /// The corner at which to look first.
 fn corner_of(error: OutlineError) -> Option<usize> {
     match error {
-        OutlineError::TooFew { .. } => None,
+        OutlineError::TooFew { .. } | OutlineError::TooShort { .. } => None,
         OutlineError::ZeroLength { edge } => Some(edge),
         OutlineError::Spike { corner } => Some(corner),
         OutlineError::Meet { first, .. } => Some(first),
@@ -161,7 +161,7 @@ fn describe(error: OutlineError, outline: &[DVec2]) -> String {
     };
     let ends = |i: usize| format!("{} to {}", corner(i), corner(i + 1));
     match error {
-        OutlineError::TooFew { .. } => error.to_string(),
+        OutlineError::TooFew { .. } | OutlineError::TooShort { .. } => error.to_string(),
         OutlineError::ZeroLength { edge } => format!("{error}: {}", ends(edge)),
         OutlineError::Spike { corner: i } => format!("{error}: {}", corner(i)),
         OutlineError::Meet { first, second } => {
