@@ -280,6 +280,11 @@ impl Mesh {
             .map(VertexId)
     }
 
+    /// Whether there is a face with this id now; edits may give ids to other faces.
+    pub fn is_face(&self, f: FaceId) -> bool {
+        self.topology().is_face(f.0)
+    }
+
     /// The corners of a face, counter-clockwise.
     #[inline]
     pub fn corners(&self, f: FaceId) -> [Point; 3] {

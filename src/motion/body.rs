@@ -214,8 +214,8 @@ pub enum EventKind {
     Pushed(u32),
     /// Was crushed between a moving solid and something else.
     Crushed,
-    /// Was found inside a solid that has just been put there, and moved out of it.
-    Embedded,
+    /// Was found inside a solid that has just been put there, and moved this far out of it (m).
+    Embedded(f64),
     /// Came into a region.
     Entered(FeatureId),
     /// Came out of a region.

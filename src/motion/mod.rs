@@ -8,7 +8,7 @@
 //!
 //! In reading order: [`terrain`] and [`mover`] (in what?), [`roots`] (when?), [`track`] (along what?), [`vertex`] (what
 //! next?), [`law`] (how fast?), [`body`] (the state), `step` (the sequence of events) with `air`, `corner`, `surface`, `joint`
-//! and `size`, [`check`] (the invariants).
+//! and `size`, [`Anchor`] (edits under a body), [`check`] (the invariants).
 //!
 //! What is absent: swimming, and solids that rotate. Bodies do not meet each other.
 
@@ -16,6 +16,7 @@ mod air;
 pub mod body;
 pub mod check;
 mod corner;
+mod edit;
 mod joint;
 pub mod law;
 pub mod mover;
@@ -28,5 +29,6 @@ pub mod track;
 pub mod vertex;
 
 pub use body::{Body, Control, Event, EventKind, Mode, Size, SpawnError, Trace};
+pub use edit::Anchor;
 pub use mover::{Mover, Path, Piece};
 pub use terrain::{Concave, Ground, Region, Terrain, Traits};

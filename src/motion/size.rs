@@ -57,7 +57,7 @@ fn beside(mesh: Ground, solid: FaceId, p: DVec2) -> Option<FaceId> {
 
 /// The piece of a feature edge at a parameter that has a free face beside it, as the mesh edge with that face on its left.
 /// A body in a corner may stand up to a joint's width beyond the rounded vertex where the piece ends.
-fn piece_at(mesh: Ground, segment: SegmentId, s: f64, on: &Surface) -> Option<EdgeId> {
+pub(super) fn piece_at(mesh: Ground, segment: SegmentId, s: f64, on: &Surface) -> Option<EdgeId> {
     let beyond = |from: f64, to: f64| (from.min(to) - s).max(s - from.max(to)).max(0.0);
     pieces(mesh, segment, on)
         .filter(|&(.., free)| free)

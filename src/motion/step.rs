@@ -271,7 +271,7 @@ impl Body {
     }
 
     /// The last resort against a cycle of events: rest where the body is.
-    fn hold(&mut self, terrain: &Terrain, trace: &mut Trace) {
+    pub(super) fn hold(&mut self, terrain: &Terrain, trace: &mut Trace) {
         let (at, face) = (self.position(), self.face(&self.ground(terrain)));
         self.mode = Mode::Wedge(Wedge {
             at,

@@ -3,6 +3,7 @@
 //! (13/32, 29/32) whose reference point is the middle of its foot.
 
 mod degenerate;
+mod edits;
 mod rig;
 mod slopes;
 mod swept;

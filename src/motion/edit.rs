@@ -1,0 +1,337 @@
+//! Edits of the level under a body: its place is found again in the new mesh.
+//!
+//! Ids of faces and edges do not outlive an edit that touches them. So a body is *anchored* before the edit, in terms of
+//! grid points and features, and *brought home* after it. A body whose surroundings are as they were keeps every bit. One
+//! that has lost its ground is in the air with its velocity unchanged; one whose ground goes on under another feature stays;
+//! one that a solid was put over is moved to the nearest free place and told so.
+
+use super::body::{Body, EventKind, Mode, Surface, Trace};
+use super::size::free_face;
+use super::terrain::{Ground, Terrain};
+use super::track::Track;
+use super::vertex::{JOINT_STEPS, segment_at, spokes, surface_next};
+use crate::geom::{Point, STEP};
+use crate::mesh::{EdgeId, FaceId, Place, Segment, SegmentId};
+use glam::DVec2;
+use std::cmp::Ordering;
+use std::collections::{BTreeSet, BinaryHeap};
+
+/// What a body holds on to, in terms that outlive an edit; see [`Body::anchor`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct Anchor {
+    /// The face of its place, and what there was to see from it.
+    face: Option<FaceId>,
+    seen: Seen,
+    /// The feature edge that it is on.
+    segment: Option<Segment>,
+    /// Those that it has just left or touched in flight.
+    touching: [Option<Segment>; 2],
+}
+
+/// The surroundings that decide about a body at rest or on its way to the next event.
+#[derive(Clone, Debug, Default, PartialEq)]
+struct Seen {
+    /// Sides of the face: the edge, its end points, whether it blocks.
+    sides: Vec<(EdgeId, Point, Point, bool)>,
+    /// The edges that hold a body which is stopped or wedged.
+    held_by: Vec<(Point, Point)>,
+}
+
+impl Body {
+    /// What the body holds on to, before an edit of the level. To be taken with the meshes as they are before it.
+    pub fn anchor(&self, terrain: &Terrain) -> Anchor {
+        let ground = terrain.ground(self.size);
+        let face = self.carrier().is_none().then(|| self.face(&ground));
+        let named = |s: SegmentId| *ground.segment(s);
+        let touching = match &self.mode {
+            Mode::Air(air) => air.touching.map(|s| s.map(named)),
+            _ => [None; 2],
+        };
+        let segment = match &self.mode {
+            Mode::Surface(on) if on.ride.is_none() => Some(named(on.segment)),
+            _ => None,
+        };
+        let seen = face.map_or_else(Seen::default, |face| self.seen(ground, face));
+        Anchor {
+            face,
+            seen,
+            segment,
+            touching,
+        }
+    }
+
+    /// Takes its place in the meshes as they are after an edit of the level. An event only if its place is no more.
+    pub fn rehome(&mut self, anchor: &Anchor, terrain: &Terrain, trace: &mut Trace) {
+        let ground = terrain.ground(self.size);
+        if self.is_untouched(anchor, ground) {
+            return self.schedule(terrain);
+        }
+        match &self.mode {
+            Mode::Surface(on) if on.ride.is_none() => self.stand_again(anchor, terrain, trace),
+            Mode::Air(_) => self.fly_on(anchor, terrain, trace),
+            Mode::Wedge(_) => self.come_loose(EventKind::Parted, terrain, trace),
+            Mode::Surface(_) | Mode::Crushed(_) => {}
+        }
+    }
+
+    /// Whether nothing that decides about the body's next event has changed.
+    fn is_untouched(&self, anchor: &Anchor, ground: Ground) -> bool {
+        let same = |s: SegmentId, old: &Segment| again(ground, old) == Some(s);
+        let on_same = match (&self.mode, &anchor.segment) {
+            (Mode::Surface(on), Some(old)) => same(on.segment, old),
+            (Mode::Air(air), _) => air
+                .touching
+                .iter()
+                .zip(&anchor.touching)
+                .all(|(now, old)| now.zip(*old).is_none_or(|(s, old)| same(s, &old))),
+            _ => true,
+        };
+        on_same
+            && anchor.face.is_none_or(|face| {
+                ground.is_face(face)
+                    && !ground.is_solid(face)
+                    && self.seen(ground, face) == anchor.seen
+            })
+    }
+
+    fn seen(&self, ground: Ground, face: FaceId) -> Seen {
+        let ends = |e: EdgeId| (ground.point(ground.origin(e)), ground.point(ground.dest(e)));
+        let side = |e: EdgeId| (e, ends(e).0, ends(e).1, ground.blocks(e));
+        let sides: Vec<_> = ground.sides(face).map(side).to_vec();
+        let held_by = match &self.mode {
+            Mode::Surface(on) if on.ride.is_none() && on.against != 0.0 => {
+                // The edge itself may be no more: then there is nothing to compare.
+                let known = sides.iter().any(|s| s.0 == on.edge && s.3);
+                let wall = known.then(|| surface_next(ground, on.edge, on.heading(on.against)));
+                wall.into_iter().map(ends).collect()
+            }
+            Mode::Wedge(wedge) if wedge.ride.is_none() => {
+                let near = |p: Point| (p.metres() - wedge.at).abs().max_element() <= STEP;
+                let corner = ground.sides(face).map(|e| ground.origin(e));
+                let corner = corner.into_iter().find(|&v| near(ground.point(v)));
+                let about = corner.into_iter().flat_map(|v| spokes(ground, v));
+                let blocking = about.filter(|&e| ground.blocks(e) || ground.blocks(ground.sym(e)));
+                let mut found: Vec<_> = blocking.map(ends).collect();
+                found.sort_unstable();
+                found
+            }
+            _ => Vec::new(),
+        };
+        Seen { sides, held_by }
+    }
+
+    /// On a surface: further along the same feature edge if that is still there and free, else along another one on the same
+    /// line, else in the air.
+    fn stand_again(&mut self, anchor: &Anchor, terrain: &Terrain, trace: &mut Trace) {
+        let ground = terrain.ground(self.size);
+        let Mode::Surface(on) = &mut self.mode else {
+            return;
+        };
+        let s = on.parameter(self.time);
+        let same = anchor.segment.and_then(|old| again(ground, &old));
+        let found = same
+            .and_then(|segment| Some((super::size::piece_at(ground, segment, s, on)?, segment)))
+            .or_else(|| on_line(ground, on, s));
+        let Some((edge, segment)) = found else {
+            let kind = if self.supported() {
+                EventKind::Left
+            } else {
+                EventKind::Parted
+            };
+            return self.come_loose(kind, terrain, trace);
+        };
+        let is_same = Some(segment) == same;
+        (on.edge, on.segment) = (edge, segment);
+        if is_same && on.against == 0.0 {
+            return self.schedule(terrain);
+        }
+        // Another feature may have other traits, and the wall may be gone: a new piece, at the same place and speed.
+        self.rebase();
+        if let Mode::Surface(on) = &mut self.mode {
+            on.against = 0.0;
+        }
+        self.refresh(terrain, trace);
+    }
+
+    /// In flight: the same parabola, in a face of the new mesh.
+    fn fly_on(&mut self, anchor: &Anchor, terrain: &Terrain, trace: &mut Trace) {
+        let ground = terrain.ground(self.size);
+        let (p, v) = (self.position(), self.velocity());
+        let now = self.time;
+        let Mode::Air(air) = &mut self.mode else {
+            return;
+        };
+        air.touching = anchor
+            .touching
+            .map(|old| old.and_then(|old| again(ground, &old)));
+        match free_face(ground, p, v, air.accel) {
+            Ok(face) if !is_in_solid(ground, p) => {
+                (air.face, air.since) = (face, now - air.t0);
+                self.schedule(terrain);
+            }
+            _ => self.move_out(p, v, terrain, trace),
+        }
+    }
+
+    /// What held the body is no more: in the air, where it is, as fast as it was.
+    fn come_loose(&mut self, kind: EventKind, terrain: &Terrain, trace: &mut Trace) {
+        let ground = terrain.ground(self.size);
+        let (p, v) = (self.position(), self.velocity());
+        if kind == EventKind::Left {
+            self.coyote_from = Some(self.time);
+        }
+        match free_face(ground, p, v, DVec2::NEG_Y) {
+            Ok(face) if !is_in_solid(ground, p) => {
+                self.fly(p, v, face, [None; 2]);
+                self.log(kind, trace);
+                self.refresh(terrain, trace);
+            }
+            _ => self.move_out(p, v, terrain, trace),
+        }
+    }
+
+    /// Out of the solid that was put over the body, to the nearest point of its rim. A step or less is rounding, and no event.
+    fn move_out(&mut self, p: DVec2, v: DVec2, terrain: &Terrain, trace: &mut Trace) {
+        let ground = terrain.ground(self.size);
+        let Some((edge, at)) = nearest_rim(ground, p, v) else {
+            return self.hold(terrain, trace);
+        };
+        let face = ground
+            .left(edge)
+            .expect("a rim has a free face on its left");
+        let segment = segment_at(ground, edge, ground.max_slope, |_| false);
+        let depth = (at - p).length();
+        self.rising = false;
+        self.fly(at, v, face, [segment, None]);
+        if depth > 2.0 * STEP {
+            self.log(EventKind::Embedded(depth), trace);
+        }
+        self.refresh(terrain, trace);
+    }
+}
+
+/// A feature edge after an edit: the one with the same source and ends.
+fn again(ground: Ground, old: &Segment) -> Option<SegmentId> {
+    let s = ground.segment_of(old.feature, old.source)?;
+    (ground.segment(s) == old).then_some(s)
+}
+
+/// Whether a position is strictly inside a solid face.
+fn is_in_solid(ground: Ground, p: DVec2) -> bool {
+    matches!(ground.locate(p, None), Some(Place::Face(f)) if ground.is_solid(f))
+}
+
+/// Another feature edge on the line of a surface, with its edge of the mesh, that is free at the body's parameter: what a floor
+/// of several layers leaves when one of them goes.
+fn on_line(ground: Ground, on: &Surface, s: f64) -> Option<(EdgeId, SegmentId)> {
+    let p = on.track.position(s);
+    let reach = f64::from(JOINT_STEPS) * STEP;
+    let holds = |e: EdgeId| {
+        let [a, b] =
+            [ground.origin(e), ground.dest(e)].map(|v| on.track.parameter_of(ground.point(v)));
+        ground.blocks(e) && a.min(b) - reach <= s && s <= a.max(b) + reach
+    };
+    let mut found = None;
+    outwards(ground, p, DVec2::ZERO, |e, distance| {
+        if distance > reach {
+            return true;
+        }
+        let same_line = |s: SegmentId| Track::of(ground.segment(s)).same_line(&on.track);
+        found = [e, ground.sym(e)]
+            .into_iter()
+            .filter(|&e| holds(e))
+            .find_map(|e| {
+                let segment = segment_at(ground, e, ground.max_slope, same_line)?;
+                same_line(segment).then_some((e, segment))
+            });
+        found.is_some()
+    });
+    found
+}
+
+/// The nearest place on the rim of the free faces: the edge, with the free face on its left, and the point. Of two equally near
+/// ones the higher one, then the one that the velocity leads to.
+fn nearest_rim(ground: Ground, p: DVec2, v: DVec2) -> Option<(EdgeId, DVec2)> {
+    let mut found = None;
+    outwards(ground, p, v, |e, _| {
+        let rim = [e, ground.sym(e)]
+            .into_iter()
+            .find(|&e| ground.mesh.blocks(e));
+        found = rim.map(|e| (e, nearest_on(ground, e, p)));
+        found.is_some()
+    });
+    found
+}
+
+/// The nearest point of an edge, measured from its lower end, for the mirror's sake.
+fn nearest_on(ground: Ground, e: EdgeId, p: DVec2) -> DVec2 {
+    let [a, b] = [ground.origin(e), ground.dest(e)].map(|v| ground.point(v).metres());
+    let (from, to) = if b.y < a.y { (b, a) } else { (a, b) };
+    let along = to - from;
+    let share = (p - from).dot(along) / along.length_squared();
+    from + along * share.clamp(0.0, 1.0)
+}
+
+/// Shows edges in the order of their distance from a position, until one is found to be enough: Dijkstra's search over faces.
+fn outwards(ground: Ground, p: DVec2, v: DVec2, mut enough: impl FnMut(EdgeId, f64) -> bool) {
+    let mut open = BinaryHeap::new();
+    let mut seen = BTreeSet::new();
+    let mut push = |open: &mut BinaryHeap<Near>, e: EdgeId| {
+        let e = e.min(ground.sym(e));
+        if seen.insert(e) {
+            let at = nearest_on(ground, e, p);
+            let (distance, leads) = ((at - p).length(), (at - p).dot(v));
+            open.push(Near {
+                distance,
+                height: at.y,
+                leads,
+                ends: [ground.origin(e), ground.dest(e)].map(|v| ground.point(v)),
+                edge: e,
+            });
+        }
+    };
+    match ground.locate(p, None) {
+        None => {}
+        Some(Place::Face(f)) => ground.sides(f).into_iter().for_each(|e| push(&mut open, e)),
+        Some(Place::Edge(e)) => push(&mut open, e),
+        Some(Place::Vertex(w)) => spokes(ground, w).for_each(|e| push(&mut open, e)),
+    }
+    while let Some(Near { distance, edge, .. }) = open.pop() {
+        if enough(edge, distance) {
+            return;
+        }
+        let sides = [edge, ground.sym(edge)].map(|e| ground.left(e));
+        for f in sides.into_iter().flatten() {
+            ground.sides(f).into_iter().for_each(|e| push(&mut open, e));
+        }
+    }
+}
+
+/// An edge and how near it is; nearer ones are greater.
+#[derive(PartialEq)]
+struct Near {
+    distance: f64,
+    height: f64,
+    leads: f64,
+    /// Tells apart what is equally near, the same way after any sequence of edits.
+    ends: [Point; 2],
+    edge: EdgeId,
+}
+
+impl Eq for Near {}
+
+impl Ord for Near {
+    fn cmp(&self, other: &Near) -> Ordering {
+        let by = |a: f64, b: f64| a.total_cmp(&b);
+        by(other.distance, self.distance)
+            .then(by(self.height, other.height))
+            .then(by(self.leads, other.leads))
+            .then(other.ends.cmp(&self.ends))
+    }
+}
+
+impl PartialOrd for Near {
+    fn partial_cmp(&self, other: &Near) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
