@@ -23,12 +23,19 @@ impl Air {
             let Some(at) = self.leaves(mesh, e, blocks) else {
                 continue;
             };
-            // At a vertex a free edge goes first: whether the corner is hit is for the face behind it to say.
-            if best.is_none_or(|(b, stops, _)| at < b || at == b && stops && !blocks) {
+            // At a vertex a free edge goes first: whether the corner is hit is for the face behind it to say. Then one ahead.
+            let rank = |blocks: bool, e: EdgeId| (blocks, blocks && !self.leads_along(mesh, e, at));
+            if best
+                .is_none_or(|(b, stops, f)| at < b || at == b && rank(blocks, e) < rank(stops, f))
+            {
                 best = Some((at, blocks, e));
             }
         }
         let left = best.map(|(dt, blocks, e)| match blocks {
+            true if self.is_beyond(mesh, e, dt) => {
+                let (end, e) = self.passes_lip(mesh, dt).unwrap_or((dt, e));
+                (self.t0 + end, Next::Hit(e, end))
+            }
             true => (
                 self.t0 + self.on_feature_edge(mesh, e, dt, tuning),
                 Next::Hit(e, dt),
@@ -51,19 +58,29 @@ impl Air {
         if !blocks {
             return Some(over_piece);
         }
-        let uses = || mesh.uses(e).filter(|u| !u.forward);
-        let touches = |s: SegmentId| self.touching.contains(&Some(s));
-        let Some(left) = uses().find(|u| touches(u.segment)) else {
+        let Some(left) = self.touched(mesh, e) else {
             return Some(over_piece);
         };
         // Others that share the piece and face the same way are within a step of the one that was left.
         let normal = |s: SegmentId| Track::of(mesh.segment(s)).normal;
-        let across = |s: SegmentId| normal(s).dot(normal(left.segment)) < 0.5;
-        if uses().any(|u| !touches(u.segment) && across(u.segment)) {
+        let across = |s: SegmentId| normal(s).dot(normal(left)) < 0.5;
+        let others = mesh
+            .uses(e)
+            .filter(|u| !u.forward && !self.touches(u.segment));
+        if others.map(|u| u.segment).any(across) {
             return Some(over_piece);
         }
-        self.comes_back_to(mesh, left.segment)
-            .map(|at| over_piece.max(at))
+        self.comes_back_to(mesh, left).map(|at| over_piece.max(at))
+    }
+
+    fn touches(&self, s: SegmentId) -> bool {
+        self.touching.contains(&Some(s))
+    }
+
+    /// The feature edge along a mesh edge that the body is not yet apart from.
+    fn touched(&self, mesh: Ground, e: EdgeId) -> Option<SegmentId> {
+        let mut uses = mesh.uses(e).filter(|u| !u.forward);
+        uses.find(|u| self.touches(u.segment)).map(|u| u.segment)
     }
 
     /// When a feature edge is hit that was just left, whatever the pieces say: they may point anywhere. Heights over it within
@@ -75,6 +92,39 @@ impl Air {
         let along = on_it && b.abs() <= 16.0 * f64::EPSILON * self.v0.length();
         let (c, b) = (if on_it { 0.0 } else { c }, if along { 0.0 } else { b });
         exit(c, b, q, self.since)
+    }
+
+    /// Whether more of an edge lies ahead of the motion than behind it, so long after `t0`.
+    fn leads_along(&self, mesh: Ground, e: EdgeId, dt: f64) -> bool {
+        let t = self.t0 + dt;
+        let [a, b] = [mesh.origin(e), mesh.dest(e)].map(|v| mesh.point(v).metres());
+        (0.5 * (a + b) - self.position(t)).dot(self.velocity(t)) > 0.0
+    }
+
+    /// Whether the body, so long after `t0`, is further beyond an end of an edge than rounding displaces. Only an edge that
+    /// it touches can be hit there: who flies past a lip of a step comes back to the feature edge much later.
+    fn is_beyond(&self, mesh: Ground, e: EdgeId, dt: f64) -> bool {
+        let p = self.position(self.t0 + dt);
+        let [a, b] = [mesh.origin(e), mesh.dest(e)].map(|v| mesh.point(v).metres());
+        let excess = (p - a).dot(a - b).max((p - b).dot(b - a));
+        excess > DISPLACED * (b - a).length()
+    }
+
+    /// When the parabola first passes the end of an edge that it touches, before `until`, and that edge.
+    fn passes_lip(&self, mesh: Ground, until: f64) -> Option<(f64, EdgeId)> {
+        let touched = |&e: &EdgeId| mesh.blocks(e) && self.touched(mesh, e).is_some();
+        let sides = mesh.sides(self.face).into_iter().filter(touched);
+        let ends = sides.flat_map(|e| {
+            let [a, b] = [mesh.origin(e), mesh.dest(e)].map(|v| mesh.point(v).metres());
+            [(b - a, a), (a - b, b)].map(|(back, end)| (back, end, e))
+        });
+        let passes = ends.filter_map(|(back, end, e)| {
+            let (c, b) = (back.dot(self.p0 - end), back.dot(self.v0));
+            exit(c, b, 0.5 * back.dot(self.accel), self.since).map(|at| (at, e))
+        });
+        passes
+            .filter(|&(at, _)| at > self.since && at < until)
+            .min_by(|a, b| a.0.total_cmp(&b.0))
     }
 
     /// Signed area distance to the line from `from` to `to`, positive on its left, and its derivatives: c, b, e of [`exit`].
@@ -154,7 +204,7 @@ impl Body {
         let ends =
             [edge, mesh.lnext(edge)].map(|e| (track.parameter_of(mesh.point(mesh.origin(e))), e));
         for ((end, spoke), (other, _)) in [(ends[0], ends[1]), (ends[1], ends[0])] {
-            if (s - end) * (other - end).signum() <= self.rounding()
+            if (s - end) * (other - end).signum() <= self.rounding_along(&track)
                 && self.meet_vertex(spoke, segment, terrain, trace)
             {
                 return;

@@ -399,9 +399,17 @@ impl Body {
     /// What rounding may make of the position, m: two units in the last place for each of the sums that lead to it, and how
     /// far the body moves in a unit in the last place of the time.
     pub(super) fn rounding(&self) -> f64 {
+        self.rounding_at(self.velocity().length())
+    }
+
+    /// The same for the parameter along a road: time counts only as far as the body moves along it.
+    pub(super) fn rounding_along(&self, track: &Track) -> f64 {
+        self.rounding_at(track.parameter(self.velocity()).abs())
+    }
+
+    fn rounding_at(&self, speed: f64) -> f64 {
         let largest = self.position().abs().max_element().max(1.0);
-        let per_time = self.velocity().length() * self.time;
-        f64::EPSILON * (8.0 * largest + 2.0 * per_time)
+        f64::EPSILON * (8.0 * largest + 2.0 * speed * self.time)
     }
 
     /// On walkable ground.

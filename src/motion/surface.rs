@@ -4,6 +4,7 @@ use super::body::{Next, Surface};
 use super::roots::cover;
 use super::terrain::Ground;
 use super::vertex::{Heading, ahead};
+use crate::mesh::EdgeId;
 use glam::DVec2;
 
 impl Surface {
@@ -38,13 +39,20 @@ impl Surface {
         if mesh.chain(self.segment).len() == 2 || self.against != 0.0 {
             return p;
         }
-        let [from, to] =
-            [mesh.origin(self.edge), mesh.dest(self.edge)].map(|v| mesh.point(v).metres());
-        let along = to - from;
-        // Measured from the lower end, for the mirror's sake.
-        let lower = if along.y < 0.0 { to } else { from };
-        let depth = -along.perp_dot(p - lower) / along.length_squared();
-        p + along.perp() * depth.max(0.0)
+        let along =
+            mesh.point(mesh.dest(self.edge)).metres() - mesh.point(mesh.origin(self.edge)).metres();
+        let depth = depth_beyond(mesh, self.edge, p) / along.length_squared();
+        let lifted = p + along.perp() * depth.max(0.0);
+        // Under a ceiling of the same face: rather beside this edge than beyond that one.
+        let second = mesh.lnext(self.edge);
+        let others = [second, mesh.lnext(second)];
+        if others
+            .iter()
+            .any(|&e| mesh.blocks(e) && depth_beyond(mesh, e, lifted) > 0.0)
+        {
+            return p;
+        }
+        lifted
     }
 
     /// Along or against the mesh edges, whose left is free.
@@ -55,4 +63,12 @@ impl Surface {
             Heading::Against
         }
     }
+}
+
+/// How far a position lies on the right of an edge, times its length. Measured from the lower end, for the mirror's sake.
+fn depth_beyond(mesh: Ground, e: EdgeId, p: DVec2) -> f64 {
+    let [from, to] = [mesh.origin(e), mesh.dest(e)].map(|v| mesh.point(v).metres());
+    let along = to - from;
+    let lower = if along.y < 0.0 { to } else { from };
+    -along.perp_dot(p - lower)
 }

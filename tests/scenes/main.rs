@@ -4,6 +4,7 @@
 
 mod degenerate;
 mod edits;
+mod found;
 mod rig;
 mod slopes;
 mod swept;
