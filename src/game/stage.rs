@@ -1,7 +1,7 @@
 //! A level made ready to play: its meshes are built and its start is free.
 
 use crate::geom::{Collider, Point, expand};
-use crate::level::Level;
+use crate::level::{Kind, Level};
 use crate::mesh::{Mesh, MeshError};
 use crate::motion::{Body, SpawnError, Terrain};
 use crate::tune::Motion;
@@ -61,7 +61,11 @@ impl Stage {
         let mesh = |collider: &Collider| {
             let features: Vec<_> = outlines
                 .iter()
-                .map(|outline| expand(outline, collider))
+                .zip(&level.features)
+                .map(|(outline, feature)| match feature.kind {
+                    Kind::Solid => expand(outline, collider),
+                    _ => Vec::new(),
+                })
                 .collect();
             Mesh::build(&features).map_err(StageError::Mesh)
         };

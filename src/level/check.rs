@@ -1,9 +1,14 @@
 //! The rules that the data of a level keeps. They are checked once, at the door; inside, nobody asks again.
 
-use super::{Entity, Feature, Flaw, Level, Rect, Scenery, VERSION};
+mod features;
+mod movers;
+
+use super::{Entity, Feature, Flaw, Kind, Level, Mover, Rect, Scenery, VERSION};
 use crate::geom::polygon::winding;
-use crate::geom::{Collider, OutlineError, Point, check_outline, expand};
+use crate::geom::{Collider, Point};
+use features::{check_body, check_id};
 use glam::DVec2;
+use movers::check_movers;
 use std::collections::BTreeMap;
 
 /// Coordinates are smaller than this in magnitude, in metres: the mesh holds 4096, and outlines grow by the hero's size.
@@ -26,13 +31,8 @@ pub fn check(level: &Level) -> Result<(), Flaw> {
     check_version(level)?;
     check_name(level)?;
     check_places(level)?;
-    check_ids(level)?;
-    level
-        .features
-        .iter()
-        .enumerate()
-        .try_for_each(|(index, feature)| check_feature(index, feature))?;
-    check_start(level)?;
+    check_features(level)?;
+    check_starts(level)?;
     level
         .scenery
         .iter()
@@ -47,11 +47,11 @@ fn check_version(level: &Level) -> Result<(), Flaw> {
             level.version
         )
     };
-    require(level.version == VERSION, Entity::Level, "version", message)
+    require(level.version == VERSION, &Entity::Level, "version", message)
 }
 
 fn check_name(level: &Level) -> Result<(), Flaw> {
-    require(is_name(&level.name), Entity::Level, "name", || {
+    require(is_name(&level.name), &Entity::Level, "name", || {
         NAME_RULE.into()
     })
 }
@@ -70,22 +70,14 @@ fn check_places(level: &Level) -> Result<(), Flaw> {
     check_coordinate(&Entity::Level, "bottom", bottom)?;
     let Rect { min, max } = goal;
     let rule =
-        |ok, field: &str, message: &str| require(ok, Entity::Level, field, || message.into());
+        |ok, field: &str, message: &str| require(ok, &Entity::Level, field, || message.into());
     rule(
         min.cmplt(max).all(),
         "goal",
         "min is not below and left of max",
     )?;
-    rule(
-        max.y > bottom,
-        "goal",
-        "lies below the bottom, where the hero falls out of the level",
-    )?;
-    rule(
-        start.y > bottom,
-        "start",
-        "lies below the bottom, where the hero falls out of the level",
-    )?;
+    rule(max.y > bottom, "goal", BELOW)?;
+    rule(start.y > bottom, "start", BELOW)?;
     rule(
         !goal.contains(start),
         "start",
@@ -93,101 +85,70 @@ fn check_places(level: &Level) -> Result<(), Flaw> {
     )
 }
 
-fn check_ids(level: &Level) -> Result<(), Flaw> {
+/// Every feature by itself, then every mover: ids are unique among all of them.
+fn check_features(level: &Level) -> Result<(), Flaw> {
     let mut seen = BTreeMap::new();
     for (index, feature) in level.features.iter().enumerate() {
-        let entity = || Entity::Feature(index, feature.id.clone());
-        require(is_name(&feature.id), entity(), "id", || NAME_RULE.into())?;
-        if let Some(first) = seen.insert(&feature.id, index) {
-            let message = format!("is the id of features[{first}] as well");
-            return Err(Flaw {
-                entity: entity(),
-                field: "id".into(),
-                corner: None,
-                message,
-            });
+        let entity = Entity::Feature(index, feature.id.clone());
+        check_id(
+            &feature.id,
+            &entity,
+            format!("features[{index}]"),
+            &mut seen,
+        )?;
+    }
+    for (index, feature) in level.features.iter().enumerate() {
+        check_body(feature, &Entity::Feature(index, feature.id.clone()))?;
+    }
+    check_movers(level, seen)
+}
+
+/// The standing hero must fit where the level starts, and where he comes back; to touch is to fit.
+fn check_starts(level: &Level) -> Result<(), Flaw> {
+    check_free(level, level.start, &Entity::Level, "start")?;
+    for (index, feature) in level.features.iter().enumerate() {
+        if let Some(respawn) = feature.respawn {
+            let entity = Entity::Feature(index, feature.id.clone());
+            check_free(level, respawn, &entity, "respawn")?;
+            require(respawn.y > level.bottom, &entity, "respawn", || {
+                BELOW.into()
+            })?;
         }
     }
     Ok(())
 }
 
-fn check_feature(index: usize, feature: &Feature) -> Result<(), Flaw> {
-    let entity = Entity::Feature(index, feature.id.clone());
-    let outline = &feature.outline;
-    for (corner, &p) in outline.iter().enumerate() {
-        check_point(&entity, &format!("outline[{corner}]"), p).map_err(|flaw| Flaw {
-            corner: Some(corner),
-            ..flaw
-        })?;
-    }
-    let flaw = |corner, message| Flaw {
-        entity: entity.clone(),
-        field: "outline".into(),
-        corner,
-        message,
-    };
-    if outline.len() > CORNER_LIMIT {
-        let message = format!(
-            "has {} corners; at most {CORNER_LIMIT} are allowed",
-            outline.len()
-        );
-        return Err(flaw(None, message));
-    }
-    check_outline(&snapped(outline))
-        .map_err(|error| flaw(corner_of(error), describe(error, outline)))
-}
-
-/// The grid points of an outline whose coordinates are in bounds.
-fn snapped(outline: &[DVec2]) -> Vec<Point> {
-    outline.iter().filter_map(|&p| Point::snap(p)).collect()
-}
-
-/// The corner at which to look first.
-fn corner_of(error: OutlineError) -> Option<usize> {
-    match error {
-        OutlineError::TooFew { .. } | OutlineError::TooShort { .. } => None,
-        OutlineError::ZeroLength { edge } => Some(edge),
-        OutlineError::Spike { corner } => Some(corner),
-        OutlineError::Meet { first, .. } => Some(first),
-    }
-}
-
-/// The error with places, as the file writes them.
-fn describe(error: OutlineError, outline: &[DVec2]) -> String {
-    let corner = |i: usize| {
-        outline
-            .get(i % outline.len())
-            .map_or(String::new(), |p| format!("({}, {})", p.x, p.y))
-    };
-    let ends = |i: usize| format!("{} to {}", corner(i), corner(i + 1));
-    match error {
-        OutlineError::TooFew { .. } | OutlineError::TooShort { .. } => error.to_string(),
-        OutlineError::ZeroLength { edge } => format!("{error}: {}", ends(edge)),
-        OutlineError::Spike { corner: i } => format!("{error}: {}", corner(i)),
-        OutlineError::Meet { first, second } => {
-            format!("{error}: {} and {}", ends(first), ends(second))
-        }
-    }
-}
-
-/// The standing hero must fit where the level starts; to touch is to fit.
-fn check_start(level: &Level) -> Result<(), Flaw> {
+/// No solid is where the hero would stand, not even one that will move, and nothing that would end his life or the level.
+fn check_free(level: &Level, at: DVec2, entity: &Entity, field: &str) -> Result<(), Flaw> {
     let hero = Collider::hero();
-    let inside = |feature: &&Feature| {
-        // The boundary of the outline expanded by the hero, who is then a point.
-        let chain: Vec<Point> = expand(&snapped(&feature.outline), &hero)
-            .iter()
-            .map(|edge| edge.a)
-            .collect();
-        Point::snap(level.start)
-            .and_then(|start| winding(&chain, start))
+    let inside = |feature: &Feature, offset: DVec2| {
+        let by = feature.by();
+        let edges = by.expand(&feature.snapped(), &hero);
+        let chain: Vec<Point> = edges.iter().map(|edge| edge.a).collect();
+        Point::snap(at - offset)
+            .and_then(|p| winding(&chain, p))
             .is_some_and(|turns| turns > 0)
     };
-    match level.features.iter().find(inside) {
-        Some(feature) => Err(Flaw::of_level(
-            "start",
-            format!("the hero would stand inside feature {:?}", feature.id),
-        )),
+    let ends = |feature: &Feature, offset: DVec2| {
+        let what = match feature.kind {
+            Kind::Solid => "would stand inside",
+            Kind::Hazard => "would die in",
+            Kind::Goal => "would win at once in",
+            Kind::OneWay | Kind::Ladder | Kind::Checkpoint | Kind::Trigger => return None,
+        };
+        inside(feature, offset).then(|| format!("the hero {what} feature {:?}", feature.id))
+    };
+    let parked = |mover: &Mover| mover.path.first().map_or(DVec2::ZERO, |stop| stop.at);
+    let fixed = level.features.iter().map(|feature| (feature, DVec2::ZERO));
+    let moving = level
+        .movers
+        .iter()
+        .flat_map(|mover| mover.features.iter().map(move |f| (f, parked(mover))));
+    match fixed
+        .chain(moving)
+        .find_map(|(feature, offset)| ends(feature, offset))
+    {
+        Some(message) => require(false, entity, field, || message.clone()),
         None => Ok(()),
     }
 }
@@ -198,12 +159,15 @@ fn check_scenery(index: usize, scenery: &Scenery) -> Result<(), Flaw> {
         at, depth, scale, ..
     } = *scenery;
     check_point(&entity, "at", at)?;
-    require(depth.abs() <= DEPTH_LIMIT, entity.clone(), "depth", || {
+    require(depth.abs() <= DEPTH_LIMIT, &entity, "depth", || {
         format!("{depth} is outside -{DEPTH_LIMIT}..={DEPTH_LIMIT} m")
     })?;
-    require(scale > 0.0 && scale <= SCALE_LIMIT, entity, "scale", || {
-        format!("{scale} is not above 0 and at most {SCALE_LIMIT}")
-    })
+    require(
+        scale > 0.0 && scale <= SCALE_LIMIT,
+        &entity,
+        "scale",
+        || format!("{scale} is not above 0 and at most {SCALE_LIMIT}"),
+    )
 }
 
 fn check_point(entity: &Entity, field: &str, p: DVec2) -> Result<(), Flaw> {
@@ -212,29 +176,24 @@ fn check_point(entity: &Entity, field: &str, p: DVec2) -> Result<(), Flaw> {
 }
 
 fn check_coordinate(entity: &Entity, field: &str, value: f64) -> Result<(), Flaw> {
-    require(value.is_finite(), entity.clone(), field, || {
+    require(value.is_finite(), entity, field, || {
         format!("{value} is not a finite number")
     })?;
-    require(
-        value.abs() < COORDINATE_LIMIT,
-        entity.clone(),
-        field,
-        || {
-            let value = if value.abs() < 1e9 {
-                value.to_string()
-            } else {
-                format!("{value:e}")
-            };
-            format!(
-                "{value} is out of bounds: coordinates are between -{COORDINATE_LIMIT} and {COORDINATE_LIMIT} m"
-            )
-        },
-    )
+    require(value.abs() < COORDINATE_LIMIT, entity, field, || {
+        let value = if value.abs() < 1e9 {
+            value.to_string()
+        } else {
+            format!("{value:e}")
+        };
+        format!(
+            "{value} is out of bounds: coordinates are between -{COORDINATE_LIMIT} and {COORDINATE_LIMIT} m"
+        )
+    })
 }
 
 fn require(
     ok: bool,
-    entity: Entity,
+    entity: &Entity,
     field: &str,
     message: impl Fn() -> String,
 ) -> Result<(), Flaw> {
@@ -242,13 +201,15 @@ fn require(
         Ok(())
     } else {
         Err(Flaw {
-            entity,
+            entity: entity.clone(),
             field: field.into(),
             corner: None,
             message: message(),
         })
     }
 }
+
+const BELOW: &str = "lies below the bottom, where the hero falls out of the level";
 
 const NAME_RULE: &str = "must have 1 to 64 characters, none of them a control character";
 

@@ -13,6 +13,10 @@ pub enum Entity {
     Level,
     /// A feature, by its index and id.
     Feature(usize, String),
+    /// A mover, by its index and id.
+    Mover(usize, String),
+    /// A feature of a mover: the mover's index, then its own and its id.
+    Rider(u32, u32, String),
     /// A piece of scenery, by its index.
     Scenery(usize),
 }
@@ -38,7 +42,7 @@ pub struct LevelError {
     /// The file, as it was named by the caller.
     pub file: PathBuf,
     /// The line, counted from 1, where there is one to point at.
-    pub line: Option<usize>,
+    pub line: Option<u32>,
     /// Which part of the level, where it is known.
     pub entity: Option<Entity>,
     /// Which field of that part, where it is known.
@@ -65,6 +69,12 @@ impl fmt::Display for Entity {
             Entity::Level => f.write_str("level"),
             Entity::Feature(_, id) if id.len() <= LONGEST_ID => write!(f, "feature {id:?}"),
             Entity::Feature(index, _) => write!(f, "features[{index}]"),
+            Entity::Mover(_, id) if id.len() <= LONGEST_ID => write!(f, "mover {id:?}"),
+            Entity::Mover(index, _) => write!(f, "movers[{index}]"),
+            Entity::Rider(mover, _, id) if id.len() <= LONGEST_ID => {
+                write!(f, "movers[{mover}], feature {id:?}")
+            }
+            Entity::Rider(mover, index, _) => write!(f, "movers[{mover}].features[{index}]"),
             Entity::Scenery(index) => write!(f, "scenery[{index}]"),
         }
     }

@@ -167,7 +167,7 @@ fn whole_file(file: &Path, message: String) -> LevelError {
 fn syntax_error(text: &str, file: &Path, error: ron::error::SpannedError) -> LevelError {
     LevelError {
         file: file.into(),
-        line: Some(error.span.start.line),
+        line: u32::try_from(error.span.start.line).ok(),
         entity: Marks::read(text).and_then(|marks| marks.entity(&error.span)),
         field: None,
         message: error.code.to_string(),

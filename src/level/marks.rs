@@ -9,34 +9,33 @@ use ron::error::Span;
 use ron::value::RawValue;
 use serde::{Deserialize, Deserializer};
 
-/// The raw parts of a level. A part that is missing is no matter here.
-#[derive(Default, Deserialize)]
-#[serde(default, rename = "Level")]
-struct LevelParts<'a> {
-    #[serde(borrow, deserialize_with = "raw")]
-    version: Raw<'a>,
-    #[serde(borrow, deserialize_with = "raw")]
-    name: Raw<'a>,
-    #[serde(borrow, deserialize_with = "raw")]
-    start: Raw<'a>,
-    #[serde(borrow, deserialize_with = "raw")]
-    goal: Raw<'a>,
-    #[serde(borrow, deserialize_with = "raw")]
-    bottom: Raw<'a>,
-    #[serde(borrow, deserialize_with = "raw")]
-    features: Raw<'a>,
-    #[serde(borrow, deserialize_with = "raw")]
-    scenery: Raw<'a>,
+/// The raw parts of one type of the format, by the names of its fields. A part that is missing is no matter here.
+macro_rules! parts {
+    ($($name:ident is $text:literal { $($field:ident),+ })+) => { $(
+        #[derive(Default, Deserialize)]
+        #[serde(default, rename = $text)]
+        struct $name<'a> {
+            $(#[serde(borrow, deserialize_with = "raw")] $field: Raw<'a>,)+
+        }
+
+        impl<'a> $name<'a> {
+            /// The part with this name in a raw value.
+            fn find(value: &'a RawValue, field: &str) -> Raw<'a> {
+                let parts: $name = value.into_rust().ok()?;
+                match field {
+                    $(stringify!($field) => parts.$field,)+
+                    _ => None,
+                }
+            }
+        }
+    )+ };
 }
 
-/// The raw parts of a feature.
-#[derive(Default, Deserialize)]
-#[serde(default, rename = "Feature")]
-struct FeatureParts<'a> {
-    #[serde(borrow, deserialize_with = "raw")]
-    id: Raw<'a>,
-    #[serde(borrow, deserialize_with = "raw")]
-    outline: Raw<'a>,
+parts! {
+    LevelParts is "Level" { version, name, start, goal, bottom, features, movers, scenery }
+    FeatureParts is "Feature" { id, kind, outline, climbable, conveyor, friction, concave, by, respawn }
+    MoverParts is "Mover" { id, features, path, repeat, starts }
+    StopParts is "Stop" { at, wait, seconds, easing }
 }
 
 type Raw<'a> = Option<&'a RawValue>;
@@ -52,78 +51,117 @@ fn list<'a>(value: Raw<'a>) -> Vec<&'a RawValue> {
         .unwrap_or_default()
 }
 
+/// The value of a field like `outline[4].x`: the element that the index names where there is one.
+fn element<'a>(field: &str, find: impl Fn(&str) -> Raw<'a>) -> Raw<'a> {
+    let first = field.split('.').next()?;
+    let Some((name, index)) = first.split_once('[') else {
+        return find(first);
+    };
+    let whole = find(name);
+    let index: Option<usize> = index.trim_end_matches(']').parse().ok();
+    index
+        .and_then(|index| list(whole).get(index).copied())
+        .or(whole)
+}
+
+/// The id in the raw value of a feature or a mover, or its number.
+fn id_of(find: impl Fn(&str) -> Option<String>, index: usize) -> String {
+    find("id").unwrap_or_else(|| format!("#{index}"))
+}
+
+/// The corner of a feature that a flaw is about, or else its field.
+fn feature_field<'a>(feature: &'a RawValue, flaw: &Flaw) -> Raw<'a> {
+    let find = |name: &str| FeatureParts::find(feature, name);
+    let corner = flaw
+        .corner
+        .and_then(|corner| list(find("outline")).get(corner).copied());
+    corner
+        .or_else(|| element(&flaw.field, find))
+        .or(Some(feature))
+}
+
+/// A field of a mover, or one of a stop of its path.
+fn mover_field<'a>(mover: &'a RawValue, field: &str) -> Raw<'a> {
+    let found = element(field, |name| MoverParts::find(mover, name));
+    let inner = field.split_once('.').map(|(_, rest)| rest);
+    let stop = found
+        .zip(inner)
+        .and_then(|(stop, rest)| element(rest, |name| StopParts::find(stop, name)));
+    stop.or(found).or(Some(mover))
+}
+
 /// The places of the parts of one text.
 pub(super) struct Marks<'a> {
     text: &'a str,
-    level: LevelParts<'a>,
+    level: &'a RawValue,
     features: Vec<&'a RawValue>,
+    movers: Vec<&'a RawValue>,
     scenery: Vec<&'a RawValue>,
 }
 
 impl<'a> Marks<'a> {
     /// The places in a text, or `None` if its brackets and strings make no sense.
     pub fn read(text: &'a str) -> Option<Self> {
-        let level: LevelParts = ron::from_str(text).ok()?;
-        let (features, scenery) = (list(level.features), list(level.scenery));
+        let level: &RawValue = ron::from_str(text).ok()?;
+        let part = |name| list(LevelParts::find(level, name));
         Some(Marks {
             text,
             level,
-            features,
-            scenery,
+            features: part("features"),
+            movers: part("movers"),
+            scenery: part("scenery"),
         })
     }
 
     /// The line of the value that a flaw is about, or of the nearest part around it.
-    pub fn line(&self, flaw: &Flaw) -> Option<usize> {
+    pub fn line(&self, flaw: &Flaw) -> Option<u32> {
         let value = match flaw.entity {
-            Entity::Level => self.level_field(&flaw.field),
-            Entity::Feature(index, _) => self.feature_field(self.features.get(index)?, flaw),
+            Entity::Level => element(&flaw.field, |name| LevelParts::find(self.level, name)),
+            Entity::Feature(index, _) => feature_field(self.features.get(index)?, flaw),
+            Entity::Mover(index, _) => mover_field(self.movers.get(index)?, &flaw.field),
+            Entity::Rider(mover, index, _) => {
+                let riders = self.riders(self.movers.get(mover as usize)?);
+                feature_field(riders.get(index as usize)?, flaw)
+            }
             Entity::Scenery(index) => self.scenery.get(index).copied(),
         };
-        value.map(|value| self.line_of(value))
+        value.and_then(|value| u32::try_from(self.line_of(value)).ok())
     }
 
-    /// The feature or piece of scenery that an error of the parser lies in.
+    /// The feature, mover or piece of scenery that an error of the parser lies in.
     pub fn entity(&self, error: &Span) -> Option<Entity> {
+        let at = self.offset_of(error);
         let holds = |value: &&RawValue| {
             let first = self.offset(value);
-            (first..first + value.get_ron().len()).contains(&self.offset_of(error))
+            (first..first + value.get_ron().len()).contains(&at)
         };
+        let text = |raw: Raw<'a>| raw.and_then(|id| id.into_rust::<String>().ok());
+        let feature_id =
+            |value: &'a RawValue, index| id_of(|name| text(FeatureParts::find(value, name)), index);
         if let Some(index) = self.features.iter().position(holds) {
-            let parts: Option<FeatureParts> = self.features[index].into_rust().ok();
-            let id = parts
-                .and_then(|parts| parts.id)
-                .and_then(|id| id.into_rust().ok());
             return Some(Entity::Feature(
                 index,
-                id.unwrap_or_else(|| format!("#{index}")),
+                feature_id(self.features[index], index),
             ));
+        }
+        if let Some(mover) = self.movers.iter().position(holds) {
+            let riders = self.riders(self.movers[mover]);
+            return Some(match riders.iter().position(holds) {
+                Some(index) => {
+                    Entity::Rider(mover as u32, index as u32, feature_id(riders[index], index))
+                }
+                None => {
+                    let id = |name: &str| text(MoverParts::find(self.movers[mover], name));
+                    Entity::Mover(mover, id_of(id, mover))
+                }
+            });
         }
         self.scenery.iter().position(holds).map(Entity::Scenery)
     }
 
-    fn level_field(&self, field: &str) -> Raw<'a> {
-        match field.split('.').next()? {
-            "version" => self.level.version,
-            "name" => self.level.name,
-            "start" => self.level.start,
-            "goal" => self.level.goal,
-            "bottom" => self.level.bottom,
-            _ => None,
-        }
-    }
-
-    fn feature_field(&self, feature: &'a RawValue, flaw: &Flaw) -> Raw<'a> {
-        let parts: FeatureParts = feature.into_rust().ok()?;
-        let corner = flaw
-            .corner
-            .and_then(|corner| list(parts.outline).get(corner).copied());
-        let part = if flaw.field == "id" {
-            parts.id
-        } else {
-            corner.or(parts.outline)
-        };
-        part.or(Some(feature))
+    /// The features of a mover.
+    fn riders(&self, mover: &'a RawValue) -> Vec<&'a RawValue> {
+        list(MoverParts::find(mover, "features"))
     }
 
     /// Where a value begins, in bytes from the start of the text: both borrow from one string.

@@ -7,12 +7,16 @@
 
 mod check;
 mod error;
+mod feature;
 mod file;
 mod marks;
+mod mover;
 
 pub use check::{COORDINATE_LIMIT, CORNER_LIMIT, check};
 pub use error::{Entity, Flaw, LevelError};
+pub use feature::{By, Concave, Feature, Kind, Material};
 pub use file::{check_writable, load, parse, read, save, without_mark, write_atomically};
+pub use mover::{Easing, Mover, Repeat, Starts, Stop};
 
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
@@ -34,8 +38,11 @@ pub struct Level {
     pub goal: Rect,
     /// A body below this height has fallen out of the level, in metres.
     pub bottom: f64,
-    /// The terrain.
+    /// The terrain, and the regions that do something to the hero.
     pub features: Vec<Feature>,
+    /// Terrain that moves.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub movers: Vec<Mover>,
     /// Things that are seen and not touched.
     #[serde(default)]
     pub scenery: Vec<Scenery>,
@@ -56,32 +63,6 @@ impl Rect {
     pub fn contains(&self, p: DVec2) -> bool {
         p.cmpge(self.min).all() && p.cmple(self.max).all()
     }
-}
-
-/// A piece of terrain: a simple closed outline, counter-clockwise or clockwise, in metres.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Feature {
-    /// Unique name.
-    pub id: String,
-    /// What it is made of: how it looks and sounds.
-    pub material: Material,
-    /// Corners; the last one is joined to the first.
-    pub outline: Vec<DVec2>,
-}
-
-/// What a feature is made of.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
-pub enum Material {
-    /// The quarry's own rock.
-    #[default]
-    Rock,
-    /// Dressed stone blocks.
-    Masonry,
-    /// Beams and planks.
-    Timber,
-    /// Rusted machinery.
-    Iron,
 }
 
 /// A thing that is seen and not touched.

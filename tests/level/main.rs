@@ -1,5 +1,7 @@
 //! Level files: what is refused, in which words, and that nothing in a file can make the game panic.
 
+mod kinds;
+
 use edgewalker::game::Stage;
 use edgewalker::level::{self, Level};
 use rand_pcg::Pcg64Mcg;
@@ -263,12 +265,12 @@ fn text_that_is_no_level_is_refused_with_its_line() {
         (
             "material: Masonry",
             "colour: Masonry",
-            "22: feature \"ledge\": Unexpected field named `colour` in `Feature`, expected one of `id`, `material`, or `outline` instead",
+            "22: feature \"ledge\": Unexpected field named `colour` in `Feature`, expected one of `id`, `material`, `kind`, `outline`, `climbable`, `conveyor`, `friction`, `concave`, `by`, or `respawn` instead",
         ),
         (
-            "material: Masonry,",
+            "id: \"ledge\",",
             "",
-            "24: feature \"ledge\": Unexpected missing field named `material` in `Feature`",
+            "24: feature \"#1\": Unexpected missing field named `id` in `Feature`",
         ),
         (
             "Masonry",
@@ -293,7 +295,7 @@ fn text_that_is_no_level_is_refused_with_its_line() {
         (
             "name: ",
             "title: ",
-            "4: Unexpected field named `title` in `Level`, expected one of `version`, `name`, `start`, `goal`, `bottom`, `features`, or `scenery` instead",
+            "4: Unexpected field named `title` in `Level`, expected one of `version`, `name`, `start`, `goal`, `bottom`, `features`, `movers`, or `scenery` instead",
         ),
         (
             "bottom: -10.0,",
@@ -417,12 +419,12 @@ fn every_truncation_is_refused_in_words() {
     }
 }
 
-#[test]
-fn random_damage_never_panics() {
-    let mut random = Pcg64Mcg::seed_from_u64(0x1e7e1);
+/// Copies of a text with a few random bytes changed, put in, taken out or doubled.
+fn mutants(text: &'static str, seed: u64, count: u32) -> impl Iterator<Item = String> {
+    let mut random = Pcg64Mcg::seed_from_u64(seed);
     let spare = b"()[]{},:\"\\/*#'-+.0123456789eENaninfr_ \n\xc3\xa4\xff";
-    for _ in 0..6000 {
-        let mut bytes = SMALL.as_bytes().to_vec();
+    (0..count).map(move |_| {
+        let mut bytes = text.as_bytes().to_vec();
         for _ in 0..1 + random.next_u32() % 4 {
             let at = random.next_u32() as usize % bytes.len();
             let byte = spare[random.next_u32() as usize % spare.len()];
@@ -434,8 +436,13 @@ fn random_damage_never_panics() {
                 _ => bytes.splice(at..at, bytes[at..to].to_vec()).for_each(drop),
             }
         }
-        survive(&String::from_utf8_lossy(&bytes));
-    }
+        String::from_utf8_lossy(&bytes).into_owned()
+    })
+}
+
+#[test]
+fn random_damage_never_panics() {
+    mutants(SMALL, 0x1e7e1, 6000).for_each(|text| survive(&text));
 }
 
 #[test]

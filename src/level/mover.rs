@@ -1,0 +1,73 @@
+//! Terrain that moves: platforms, lifts, doors, crushers.
+
+use super::Feature;
+use super::feature::is_default;
+use glam::DVec2;
+use serde::{Deserialize, Serialize};
+
+/// Solids and one-way platforms that move together along a path.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Mover {
+    /// Unique name.
+    pub id: String,
+    /// What moves, where it is drawn. Ids are unique among all features of the level.
+    pub features: Vec<Feature>,
+    /// Where it stops, in order.
+    pub path: Vec<Stop>,
+    /// What follows the last stop.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub repeat: Repeat,
+    /// What sets it going.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub starts: Starts,
+}
+
+/// A stop of a path, and the way from it to the next one.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Stop {
+    /// How far from where it was drawn, in metres; rounded to the grid.
+    pub at: DVec2,
+    /// How long it stays, in seconds.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub wait: f64,
+    /// How long the way to the next stop takes, in seconds; 0 if there is none.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub seconds: f64,
+    /// How the speed changes on that way.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub easing: Easing,
+}
+
+/// How the speed changes on the way between two stops.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+pub enum Easing {
+    /// Not at all: it starts and stops dead.
+    #[default]
+    Linear,
+    /// It grows evenly over the first half of the time and falls over the second.
+    Eased,
+}
+
+/// What follows the last stop of a path.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+pub enum Repeat {
+    /// The first stop again, on the way that the last stop names.
+    #[default]
+    Loop,
+    /// The same way back, then all over again.
+    PingPong,
+    /// Nothing: it stays there.
+    Once,
+}
+
+/// What sets a mover going.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Starts {
+    /// The beginning of the level.
+    #[default]
+    AtOnce,
+    /// A body that enters the trigger with this id.
+    On(String),
+}
