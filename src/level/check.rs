@@ -122,8 +122,7 @@ fn check_starts(level: &Level) -> Result<(), Flaw> {
 fn check_free(level: &Level, at: DVec2, entity: &Entity, field: &str) -> Result<(), Flaw> {
     let hero = Collider::hero();
     let inside = |feature: &Feature, offset: DVec2| {
-        let by = feature.by();
-        let edges = by.expand(&feature.snapped(), &hero);
+        let edges = feature.expand(&hero);
         let chain: Vec<Point> = edges.iter().map(|edge| edge.a).collect();
         Point::snap(at - offset)
             .and_then(|p| winding(&chain, p))

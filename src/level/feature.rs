@@ -1,6 +1,6 @@
 //! The pieces of a level: terrain, and regions that stop nobody.
 
-use crate::geom::{Collider, ExpandedEdge, Point, expand};
+use crate::geom::{Collider, ExpandedEdge, Point, expand, expand_about, expand_one_way};
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
@@ -117,29 +117,22 @@ impl Feature {
             .filter_map(|&p| Point::snap(p))
             .collect()
     }
-}
 
-impl By {
-    /// The collider that stands for a body, and how far the region is moved for it, in grid steps: a point of the body
-    /// is in a region iff its reference point is in the region moved back by where that point is.
-    pub fn of(self, body: &Collider) -> (Collider, Point) {
-        let point = |p: Point| (Collider::point(), Point::new(-p.x, -p.y));
-        match self {
-            By::Body => (body.clone(), Point::default()),
-            By::Foot => point(Point::default()),
-            By::Middle => point(middle(body)),
-            By::Point(x, y) => point(Point::snap(DVec2::new(x, y)).unwrap_or_default()),
+    /// The edges of the feature for a body, which is then a point: around the places where it would overlap a solid or
+    /// be in a region, or along those where a one-way holds it.
+    pub fn expand(&self, body: &Collider) -> Vec<ExpandedEdge> {
+        let outline = self.snapped();
+        let foot = Point::default();
+        match (self.kind, self.by()) {
+            (Kind::Solid, _) => expand(&outline, body),
+            (Kind::OneWay, _) => expand_one_way(&outline, body),
+            (_, By::Body) => expand(&outline, body),
+            (_, By::Foot) => expand_about(&outline, foot),
+            (_, By::Middle) => expand_about(&outline, middle(body)),
+            (_, By::Point(x, y)) => {
+                expand_about(&outline, Point::snap(DVec2::new(x, y)).unwrap_or(foot))
+            }
         }
-    }
-
-    /// The edges of a region's outline for a body, which is then a point.
-    pub fn expand(self, outline: &[Point], body: &Collider) -> Vec<ExpandedEdge> {
-        let (collider, moved) = self.of(body);
-        let moved: Vec<Point> = outline
-            .iter()
-            .map(|p| Point::new(p.x + moved.x, p.y + moved.y))
-            .collect();
-        expand(&moved, &collider)
     }
 }
 
@@ -163,10 +156,16 @@ mod tests {
     /// A point of the body is in the region iff the body's reference point is in the expanded one.
     #[test]
     fn a_region_is_entered_by_the_point_that_it_names() {
-        let square = [(0, 0), (1, 0), (1, 1), (0, 1)]
-            .map(|(x, y)| Point::snap(DVec2::new(f64::from(x), f64::from(y))).unwrap());
+        let square = [(0, 0), (1, 0), (1, 1), (0, 1)];
+        let outline = square.map(|(x, y)| DVec2::new(f64::from(x), f64::from(y)));
         let inside = |by: By, x: f64, y: f64| {
-            let edges = by.expand(&square, &Collider::hero());
+            let region = Feature {
+                kind: Kind::Trigger,
+                outline: outline.to_vec(),
+                by: Some(by),
+                ..Feature::default()
+            };
+            let edges = region.expand(&Collider::hero());
             let chain: Vec<Point> = edges.iter().map(|edge| edge.a).collect();
             winding(&chain, Point::snap(DVec2::new(x, y)).unwrap()).is_some_and(|turns| turns > 0)
         };

@@ -59,7 +59,10 @@ fn complaint(from: &str, to: &str) -> String {
     error.to_string()
 }
 
-fn refused(cases: &[(&str, &str, &str)]) {
+/// A place in the text, what is put there, and what is then said.
+type Change = (&'static str, &'static str, &'static str);
+
+fn refused(cases: &[Change]) {
     for (from, to, expected) in cases {
         assert_eq!(complaint(from, to), format!("full.ron:{expected}"));
     }
@@ -127,8 +130,8 @@ fn lines_have_rules_of_their_own() {
     let line = "[(3, 3), (5, 3), (6, 4)]";
     let expected = |message: &str| format!("11: feature \"plank\", outline: {message}");
     for (to, message) in [
-        ("[]", "a line needs 2 corners and this one has 0"),
-        ("[(3, 3)]", "a line needs 2 corners and this one has 1"),
+        ("[]", "a polyline needs 2 corners and this one has 0"),
+        ("[(3, 3)]", "a polyline needs 2 corners and this one has 1"),
         (
             "[(3, 3), (3, 3), (6, 4)]",
             "edge 0 has no length (on the grid): (3, 3) to (3, 3)",
@@ -138,185 +141,194 @@ fn lines_have_rules_of_their_own() {
             "the outline turns back on itself at corner 1: (6, 3)",
         ),
     ] {
-        refused(&[(line, to, &expected(message))]);
+        assert_eq!(
+            complaint(line, to),
+            format!("full.ron:{}", expected(message))
+        );
     }
     let crossing = FULL.replacen(line, "[(3, 3), (6, 3), (6, 5), (4, 2)]", 1);
     level::parse(&crossing, Path::new("full.ron")).expect("a line may cross itself");
 }
 
+/// Fields of features that cannot be.
+const BAD_TRAITS: &[Change] = &[
+    (
+        "-2.5",
+        "NaN",
+        "8: feature \"floor\", conveyor: NaN is outside -100..=100 m/s",
+    ),
+    (
+        "-2.5",
+        "101",
+        "8: feature \"floor\", conveyor: 101 is outside -100..=100 m/s",
+    ),
+    (
+        "Some(0.5)",
+        "Some(-1)",
+        "8: feature \"floor\", friction: -1 is outside 0..=10",
+    ),
+    (
+        "kind: Hazard, by: Some(Foot)",
+        "conveyor: 1, kind: Hazard",
+        "13: feature \"spikes\", conveyor: means nothing for kind Hazard",
+    ),
+    (
+        "kind: OneWay, material: Timber",
+        "kind: OneWay, climbable: true",
+        "11: feature \"plank\", climbable: means nothing for kind OneWay",
+    ),
+    (
+        "climbable: true",
+        "by: Some(Foot)",
+        "10: feature \"vine\", by: means nothing for kind Solid",
+    ),
+    (
+        "climbable: true",
+        "respawn: Some((1, 1))",
+        "10: feature \"vine\", respawn: means nothing for kind Solid",
+    ),
+    (
+        "Point(0, 1)",
+        "Point(0, inf)",
+        "12: feature \"ladder\", by: Point(0, inf) is not within 64 m of the foot",
+    ),
+    (
+        "respawn: Some((41, 0)), ",
+        "",
+        "14: feature \"camp\", respawn: is missing: a checkpoint says where the hero comes back",
+    ),
+    (
+        "(41, 0)",
+        "(41, NaN)",
+        "14: feature \"camp\", respawn.y: NaN is not a finite number",
+    ),
+    (
+        "(41, 0)",
+        "(41, -0.5)",
+        "14: feature \"camp\", respawn: the hero would stand inside feature \"floor\"",
+    ),
+    (
+        "(41, 0)",
+        "(41, -20)",
+        "14: feature \"camp\", respawn: lies below the bottom, where the hero falls out of the level",
+    ),
+    (
+        "(41, 0)",
+        "(71, 0)",
+        "14: feature \"camp\", respawn: the hero would stand inside feature \"deck\"",
+    ),
+    (
+        "start: (0, 0)",
+        "start: (30.9, 0.5)",
+        "4: level, start: the hero would die in feature \"spikes\"",
+    ),
+    (
+        "start: (0, 0)",
+        "start: (50.9, 0)",
+        "4: level, start: the hero would win at once in feature \"gate\"",
+    ),
+];
+
 #[test]
 fn traits_that_make_no_sense_are_refused() {
-    refused(&[
-        (
-            "-2.5",
-            "NaN",
-            "8: feature \"floor\", conveyor: NaN is outside -100..=100 m/s",
-        ),
-        (
-            "-2.5",
-            "101",
-            "8: feature \"floor\", conveyor: 101 is outside -100..=100 m/s",
-        ),
-        (
-            "Some(0.5)",
-            "Some(-1)",
-            "8: feature \"floor\", friction: -1 is outside 0..=10",
-        ),
-        (
-            "kind: Hazard, by: Some(Foot)",
-            "conveyor: 1, kind: Hazard",
-            "13: feature \"spikes\", conveyor: means nothing for kind Hazard",
-        ),
-        (
-            "kind: OneWay, material: Timber",
-            "kind: OneWay, climbable: true",
-            "11: feature \"plank\", climbable: means nothing for kind OneWay",
-        ),
-        (
-            "climbable: true",
-            "by: Some(Foot)",
-            "10: feature \"vine\", by: means nothing for kind Solid",
-        ),
-        (
-            "climbable: true",
-            "respawn: Some((1, 1))",
-            "10: feature \"vine\", respawn: means nothing for kind Solid",
-        ),
-        (
-            "Point(0, 1)",
-            "Point(0, inf)",
-            "12: feature \"ladder\", by: Point(0, inf) is not within 64 m of the foot",
-        ),
-        (
-            "respawn: Some((41, 0)), ",
-            "",
-            "14: feature \"camp\", respawn: is missing: a checkpoint says where the hero comes back",
-        ),
-        (
-            "(41, 0)",
-            "(41, NaN)",
-            "14: feature \"camp\", respawn.y: NaN is not a finite number",
-        ),
-        (
-            "(41, 0)",
-            "(41, -0.5)",
-            "14: feature \"camp\", respawn: the hero would stand inside feature \"floor\"",
-        ),
-        (
-            "(41, 0)",
-            "(41, -20)",
-            "14: feature \"camp\", respawn: lies below the bottom, where the hero falls out of the level",
-        ),
-        (
-            "(41, 0)",
-            "(71, 0)",
-            "14: feature \"camp\", respawn: the hero would stand inside feature \"deck\"",
-        ),
-        (
-            "start: (0, 0)",
-            "start: (30.9, 0.5)",
-            "4: level, start: the hero would die in feature \"spikes\"",
-        ),
-        (
-            "start: (0, 0)",
-            "start: (50.9, 0)",
-            "4: level, start: the hero would win at once in feature \"gate\"",
-        ),
-    ]);
+    refused(BAD_TRAITS);
     assert!(complaint("kind: Ladder", "kind: Stairs").starts_with(
         "full.ron:12: feature \"ladder\": Unexpected variant named `Stairs` in enum `Kind`"
     ));
 }
 
+/// Movers that cannot be.
+const BAD_MOVERS: &[Change] = &[
+    (
+        "id: \"door\"",
+        "id: \"lift\"",
+        "31: mover \"lift\", id: is the id of movers[0] as well",
+    ),
+    (
+        "id: \"leaf\"",
+        "id: \"floor\"",
+        "32: movers[1], feature \"floor\", id: is the id of features[0] as well",
+    ),
+    (
+        "id: \"leaf\"",
+        "id: \"deck\"",
+        "32: movers[1], feature \"deck\", id: is the id of movers[0].features[0] as well",
+    ),
+    (
+        "[(id: \"leaf\", outline: [(80, 0), (81, 0), (81, 4)])]",
+        "[]",
+        "32: mover \"door\", features: nothing moves: there are none",
+    ),
+    (
+        "(70, 2), (72, 2)]",
+        "(70, 2), (72, 2)], by: Some(Foot)",
+        "23: movers[0], feature \"rail\", by: means nothing for kind OneWay",
+    ),
+    (
+        "id: \"deck\"",
+        "id: \"deck\", kind: Ladder",
+        "22: movers[0], feature \"deck\", kind: Ladder cannot move: only Solid and OneWay can",
+    ),
+    (
+        "(81, 4)])]",
+        "(80, 0)])]",
+        "32: movers[1], feature \"leaf\", outline: edge 2 has no length (on the grid): (80, 0) to (80, 0)",
+    ),
+    (
+        "(81, 4)",
+        "(81, NaN)",
+        "32: movers[1], feature \"leaf\", outline[2].y: NaN is not a finite number",
+    ),
+    (
+        "wait: 1.5",
+        "wait: -1",
+        "26: mover \"lift\", path[0].wait: -1 is outside 0..=3600 s",
+    ),
+    (
+        "seconds: 3",
+        "seconds: 0",
+        "27: mover \"lift\", path[1].seconds: 0 is outside 0.01..=3600 s: the way to the next stop takes some time",
+    ),
+    (
+        "(0, 4))",
+        "(0, 4), seconds: 1)",
+        "35: mover \"door\", path[1].seconds: 1 s to nowhere: no stop follows this one",
+    ),
+    (
+        "(0, 5)",
+        "(inf, 5)",
+        "27: mover \"lift\", path[1].at.x: inf is not a finite number",
+    ),
+    (
+        "(0, 5)",
+        "(3930, 5)",
+        "22: movers[0], feature \"deck\", outline[0].x: at path[1], 4000 is out of bounds: coordinates are between -4000 and 4000 m",
+    ),
+    (
+        "On(\"button\")",
+        "On(\"floor\")",
+        "38: mover \"door\", starts: feature \"floor\" is no Trigger",
+    ),
+    (
+        "On(\"button\")",
+        "On(\"knob\")",
+        "38: mover \"door\", starts: there is no feature \"knob\"",
+    ),
+    (
+        "repeat: Once",
+        "repeat: Twice",
+        "37: mover \"door\": Unexpected variant named `Twice` in enum `Repeat`, expected one of `Loop`, `PingPong`, or `Once` instead",
+    ),
+    (
+        "id: \"leaf\"",
+        "ID: \"leaf\"",
+        "32: movers[1], feature \"#0\": Unexpected field named `ID` in `Feature`, expected one of `id`, `material`, `kind`, `outline`, `climbable`, `conveyor`, `friction`, `concave`, `by`, or `respawn` instead",
+    ),
+];
+
 #[test]
 fn movers_that_make_no_sense_are_refused() {
-    refused(&[
-        (
-            "id: \"door\"",
-            "id: \"lift\"",
-            "31: mover \"lift\", id: is the id of movers[0] as well",
-        ),
-        (
-            "id: \"leaf\"",
-            "id: \"floor\"",
-            "32: movers[1], feature \"floor\", id: is the id of features[0] as well",
-        ),
-        (
-            "id: \"leaf\"",
-            "id: \"deck\"",
-            "32: movers[1], feature \"deck\", id: is the id of movers[0].features[0] as well",
-        ),
-        (
-            "[(id: \"leaf\", outline: [(80, 0), (81, 0), (81, 4)])]",
-            "[]",
-            "32: mover \"door\", features: nothing moves: there are none",
-        ),
-        (
-            "(70, 2), (72, 2)]",
-            "(70, 2), (72, 2)], by: Some(Foot)",
-            "23: movers[0], feature \"rail\", by: means nothing for kind OneWay",
-        ),
-        (
-            "id: \"deck\"",
-            "id: \"deck\", kind: Ladder",
-            "22: movers[0], feature \"deck\", kind: Ladder cannot move: only Solid and OneWay can",
-        ),
-        (
-            "(81, 4)])]",
-            "(80, 0)])]",
-            "32: movers[1], feature \"leaf\", outline: edge 2 has no length (on the grid): (80, 0) to (80, 0)",
-        ),
-        (
-            "(81, 4)",
-            "(81, NaN)",
-            "32: movers[1], feature \"leaf\", outline[2].y: NaN is not a finite number",
-        ),
-        (
-            "wait: 1.5",
-            "wait: -1",
-            "26: mover \"lift\", path[0].wait: -1 is outside 0..=3600 s",
-        ),
-        (
-            "seconds: 3",
-            "seconds: 0",
-            "27: mover \"lift\", path[1].seconds: 0 is outside 0.01..=3600 s: the way to the next stop takes some time",
-        ),
-        (
-            "(0, 4))",
-            "(0, 4), seconds: 1)",
-            "35: mover \"door\", path[1].seconds: 1 s to nowhere: no stop follows this one",
-        ),
-        (
-            "(0, 5)",
-            "(inf, 5)",
-            "27: mover \"lift\", path[1].at.x: inf is not a finite number",
-        ),
-        (
-            "(0, 5)",
-            "(3930, 5)",
-            "22: movers[0], feature \"deck\", outline[0].x: at path[1], 4000 is out of bounds: coordinates are between -4000 and 4000 m",
-        ),
-        (
-            "On(\"button\")",
-            "On(\"floor\")",
-            "38: mover \"door\", starts: feature \"floor\" is no Trigger",
-        ),
-        (
-            "On(\"button\")",
-            "On(\"knob\")",
-            "38: mover \"door\", starts: there is no feature \"knob\"",
-        ),
-        (
-            "repeat: Once",
-            "repeat: Twice",
-            "37: mover \"door\": Unexpected variant named `Twice` in enum `Repeat`, expected one of `Loop`, `PingPong`, or `Once` instead",
-        ),
-        (
-            "id: \"leaf\"",
-            "ID: \"leaf\"",
-            "32: movers[1], feature \"#0\": Unexpected field named `ID` in `Feature`, expected one of `id`, `material`, `kind`, `outline`, `climbable`, `conveyor`, `friction`, `concave`, `by`, or `respawn` instead",
-        ),
-    ]);
+    refused(BAD_MOVERS);
 }
 
 #[test]

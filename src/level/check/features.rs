@@ -1,8 +1,7 @@
 //! The rules of single features: their outlines, and which fields go with which kind.
 
 use super::{CORNER_LIMIT, NAME_RULE, check_point, is_name, require};
-use crate::geom::polygon::check_line;
-use crate::geom::{OutlineError, check_outline};
+use crate::geom::{OutlineError, check_outline, check_polyline};
 use crate::level::{By, Entity, Feature, Flaw, Kind};
 use glam::DVec2;
 use std::collections::BTreeMap;
@@ -53,7 +52,7 @@ fn check_corners(feature: &Feature, entity: &Entity) -> Result<(), Flaw> {
         format!("has {count} corners; at most {CORNER_LIMIT} are allowed")
     })?;
     let check = match feature.kind {
-        Kind::OneWay => check_line,
+        Kind::OneWay => check_polyline,
         _ => check_outline,
     };
     check(&feature.snapped()).map_err(|error| Flaw {
@@ -67,7 +66,7 @@ fn check_corners(feature: &Feature, entity: &Entity) -> Result<(), Flaw> {
 /// The corner at which to look first.
 fn corner_of(error: OutlineError) -> Option<usize> {
     match error {
-        OutlineError::TooFew { .. } | OutlineError::NoLine { .. } => None,
+        OutlineError::TooFew { .. } | OutlineError::TooShort { .. } => None,
         OutlineError::ZeroLength { edge } => Some(edge),
         OutlineError::Spike { corner } => Some(corner),
         OutlineError::Meet { first, .. } => Some(first),
@@ -83,7 +82,7 @@ fn describe(error: OutlineError, outline: &[DVec2]) -> String {
     };
     let ends = |i: usize| format!("{} to {}", corner(i), corner(i + 1));
     match error {
-        OutlineError::TooFew { .. } | OutlineError::NoLine { .. } => error.to_string(),
+        OutlineError::TooFew { .. } | OutlineError::TooShort { .. } => error.to_string(),
         OutlineError::ZeroLength { edge } => format!("{error}: {}", ends(edge)),
         OutlineError::Spike { corner: i } => format!("{error}: {}", corner(i)),
         OutlineError::Meet { first, second } => {
