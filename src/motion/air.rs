@@ -176,7 +176,7 @@ impl Body {
     /// At a blocking edge.
     pub(super) fn hit(&mut self, edge: EdgeId, since: f64, terrain: &Terrain, trace: &mut Trace) {
         let mesh = self.ground(terrain);
-        let at = self.position();
+        let at = self.local_position();
         if let Mode::Air(air) = &mut self.mode {
             air.since = since;
         }
@@ -190,7 +190,7 @@ impl Body {
     fn contact(&mut self, segment: SegmentId, edge: EdgeId, terrain: &Terrain, trace: &mut Trace) {
         let mesh = self.ground(terrain);
         let track = Track::of(mesh.segment(segment));
-        let (at, v) = (self.position(), self.velocity());
+        let (at, v) = (self.local_position(), self.local_velocity());
         let into = -track.normal.dot(v);
         if let Mode::Air(air) = &mut self.mode
             && into < 0.0
@@ -265,7 +265,6 @@ impl Body {
             since,
             walkable,
             against,
-            ride: None,
         });
     }
 
@@ -305,16 +304,12 @@ impl Body {
 
     /// Held from here on, until a jump.
     pub(super) fn wedge(&mut self, at: DVec2, edge: EdgeId, terrain: &Terrain, trace: &mut Trace) {
-        let face = terrain
-            .mesh(self.size)
+        let face = self
+            .ground(terrain)
             .left(edge)
             .expect("free on the left of a blocking edge");
         self.rising = false;
-        self.mode = Mode::Wedge(Wedge {
-            at,
-            face,
-            ride: None,
-        });
+        self.mode = Mode::Wedge(Wedge { at, face });
         self.log(EventKind::Wedged, trace);
     }
 }

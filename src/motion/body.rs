@@ -79,8 +79,6 @@ pub struct Surface {
     pub walkable: bool,
     /// The sign of the parameter's direction that is walled up here, or 0.
     pub against: f64,
-    /// What carries the body, the edge and the road being in its frame; `None`: the level.
-    pub ride: Option<Ride>,
 }
 
 /// Held at a vertex by two edges that drive the body back.
@@ -90,8 +88,6 @@ pub struct Wedge {
     pub at: DVec2,
     /// A free face there.
     pub face: FaceId,
-    /// What carries the body, all this being in its frame; `None`: the level.
-    pub ride: Option<Ride>,
 }
 
 /// Crushed: stays where it happened until it is put elsewhere.
@@ -145,7 +141,11 @@ impl Next {
 /// One body. A plain value: clone it to take a snapshot.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Body {
+    /// In the frame of what carries the body.
     pub(super) mode: Mode,
+    /// What carries the body; `None`: the level. In the air, between events, always the level.
+    #[serde(default)]
+    pub(super) frame: Option<Ride>,
     pub(super) size: Size,
     pub(super) control: Control,
     /// Simulated time, s.
@@ -267,16 +267,6 @@ impl std::fmt::Display for SpawnError {
 
 impl std::error::Error for SpawnError {}
 
-/// A position in the frame of what carries the body, in the world.
-fn carried(ride: Option<Ride>, t: f64, p: DVec2) -> DVec2 {
-    ride.map_or(p, |ride| p + ride.piece.offset(t))
-}
-
-/// The velocity of what carries the body.
-fn speed_of(ride: Option<Ride>, t: f64) -> DVec2 {
-    ride.map_or(DVec2::ZERO, |ride| ride.piece.velocity(t))
-}
-
 impl Air {
     pub(super) fn position(&self, t: f64) -> DVec2 {
         let dt = t - self.t0;
@@ -331,46 +321,45 @@ impl Body {
 
     /// Where the reference point, the middle of the foot, is; m.
     pub fn position(&self) -> DVec2 {
-        match &self.mode {
-            Mode::Air(air) => air.position(self.time),
-            Mode::Surface(on) => carried(
-                on.ride,
-                self.time,
-                on.track.position(on.parameter(self.time)),
-            ),
-            Mode::Wedge(wedge) => carried(wedge.ride, self.time, wedge.at),
-            Mode::Crushed(crushed) => crushed.at,
-        }
+        let local = self.local_position();
+        self.frame
+            .map_or(local, |ride| local + ride.piece.offset(self.time))
     }
 
     /// m/s.
     pub fn velocity(&self) -> DVec2 {
+        let local = self.local_velocity();
+        self.frame
+            .map_or(local, |ride| local + ride.piece.velocity(self.time))
+    }
+
+    /// The position in the frame of what carries the body, m: where it is in that mesh.
+    pub(super) fn local_position(&self) -> DVec2 {
+        match &self.mode {
+            Mode::Air(air) => air.position(self.time),
+            Mode::Surface(on) => on.track.position(on.parameter(self.time)),
+            Mode::Wedge(wedge) => wedge.at,
+            Mode::Crushed(crushed) => crushed.at,
+        }
+    }
+
+    /// The velocity relative to what carries the body, m/s.
+    pub(super) fn local_velocity(&self) -> DVec2 {
         match &self.mode {
             Mode::Air(air) => air.velocity(self.time),
-            Mode::Surface(on) => {
-                on.track.tangent * on.speed(self.time) + speed_of(on.ride, self.time)
-            }
-            Mode::Wedge(wedge) => speed_of(wedge.ride, self.time),
-            Mode::Crushed(_) => DVec2::ZERO,
+            Mode::Surface(on) => on.track.tangent * on.speed(self.time),
+            Mode::Wedge(_) | Mode::Crushed(_) => DVec2::ZERO,
         }
     }
 
     /// What carries the body: the index of a moving solid, or the level (`None`, also in the air).
     pub fn carrier(&self) -> Option<u32> {
-        self.ride().map(|ride| ride.mover)
+        self.frame.map(|ride| ride.mover)
     }
 
     /// The mesh of what carries the body, as it meets it.
     pub(super) fn ground<'a>(&self, terrain: &Terrain<'a>) -> Ground<'a> {
         terrain.ground_under(self.carrier(), self.size)
-    }
-
-    pub(super) fn ride(&self) -> Option<Ride> {
-        match &self.mode {
-            Mode::Surface(on) => on.ride,
-            Mode::Wedge(wedge) => wedge.ride,
-            Mode::Air(_) | Mode::Crushed(_) => None,
-        }
     }
 
     /// When the next event is due, if there will be one.

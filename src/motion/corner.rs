@@ -21,7 +21,7 @@ impl Body {
         terrain: &Terrain,
         trace: &mut Trace,
     ) -> bool {
-        let v = self.velocity();
+        let v = self.local_velocity();
         let mesh = self.ground(terrain);
         let Mode::Air(air) = &mut self.mode else {
             return false;
@@ -87,7 +87,7 @@ impl Body {
         terrain: &Terrain,
     ) -> Option<Meeting> {
         let mesh = self.ground(terrain);
-        let v = self.velocity();
+        let v = self.local_velocity();
         let segment = segment_at(mesh, edge, terrain.tuning.max_slope, |_| false)?;
         let track = Track::of(mesh.segment(segment));
         let into = -track.normal.dot(v);

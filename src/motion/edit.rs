@@ -48,7 +48,7 @@ impl Body {
             _ => [None; 2],
         };
         let segment = match &self.mode {
-            Mode::Surface(on) if on.ride.is_none() => Some(named(on.segment)),
+            Mode::Surface(on) if self.frame.is_none() => Some(named(on.segment)),
             _ => None,
         };
         let seen = face.map_or_else(Seen::default, |face| self.seen(ground, face));
@@ -67,10 +67,11 @@ impl Body {
             return self.schedule(terrain);
         }
         match &self.mode {
-            Mode::Surface(on) if on.ride.is_none() => self.stand_again(anchor, terrain, trace),
+            _ if self.frame.is_some() => {}
+            Mode::Surface(_) => self.stand_again(anchor, terrain, trace),
             Mode::Air(_) => self.fly_on(anchor, terrain, trace),
             Mode::Wedge(_) => self.come_loose(EventKind::Parted, terrain, trace),
-            Mode::Surface(_) | Mode::Crushed(_) => {}
+            Mode::Crushed(_) => {}
         }
     }
 
@@ -99,13 +100,13 @@ impl Body {
         let side = |e: EdgeId| (e, ends(e).0, ends(e).1, ground.blocks(e));
         let sides: Vec<_> = ground.sides(face).map(side).to_vec();
         let held_by = match &self.mode {
-            Mode::Surface(on) if on.ride.is_none() && on.against != 0.0 => {
+            Mode::Surface(on) if self.frame.is_none() && on.against != 0.0 => {
                 // The edge itself may be no more: then there is nothing to compare.
                 let known = sides.iter().any(|s| s.0 == on.edge && s.3);
                 let wall = known.then(|| surface_next(ground, on.edge, on.heading(on.against)));
                 wall.into_iter().map(ends).collect()
             }
-            Mode::Wedge(wedge) if wedge.ride.is_none() => {
+            Mode::Wedge(wedge) if self.frame.is_none() => {
                 let near = |p: Point| (p.metres() - wedge.at).abs().max_element() <= STEP;
                 let corner = ground.sides(face).map(|e| ground.origin(e));
                 let corner = corner.into_iter().find(|&v| near(ground.point(v)));

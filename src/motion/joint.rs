@@ -228,7 +228,6 @@ impl Body {
             since: 0.0,
             walkable: true,
             against: 0.0,
-            ride: on.ride,
         };
         self.log(EventKind::Joint, trace);
         false

@@ -106,7 +106,7 @@ impl Body {
     fn fit(&mut self, size: Size, terrain: &Terrain) -> bool {
         let mesh = terrain.ground(size);
         self.rebase();
-        let (p, v, carrier) = (self.position(), self.velocity(), self.carrier());
+        let (p, v, carrier) = (self.local_position(), self.local_velocity(), self.carrier());
         if let Mode::Surface(on) = &mut self.mode {
             let old = *terrain.ground_under(carrier, self.size).segment(on.segment);
             let same = mesh

@@ -20,11 +20,8 @@ impl Body {
         let bearing = DVec2::new(0.0, -1.0);
         let face = super::size::free_face(terrain.ground(Size::Stand), at, bearing, bearing)?;
         let mut body = Body {
-            mode: Mode::Wedge(Wedge {
-                at,
-                face,
-                ride: None,
-            }),
+            mode: Mode::Wedge(Wedge { at, face }),
+            frame: None,
             size: Size::Stand,
             control: Control::default(),
             time,
@@ -168,8 +165,8 @@ impl Body {
             return;
         }
         let mesh = self.ground(terrain);
-        let (mut v, face) = (self.velocity(), self.face(&mesh));
-        let p = self.position();
+        let (mut v, face) = (self.local_velocity(), self.face(&mesh));
+        let p = self.local_position();
         v.y = v.y.max(0.0) + t.jump_speed;
         let touching = [self.segment(), None];
         self.fly(p, v, face, touching);
@@ -272,12 +269,8 @@ impl Body {
 
     /// The last resort against a cycle of events: rest where the body is.
     pub(super) fn hold(&mut self, terrain: &Terrain, trace: &mut Trace) {
-        let (at, face) = (self.position(), self.face(&self.ground(terrain)));
-        self.mode = Mode::Wedge(Wedge {
-            at,
-            face,
-            ride: None,
-        });
+        let (at, face) = (self.local_position(), self.face(&self.ground(terrain)));
+        self.mode = Mode::Wedge(Wedge { at, face });
         self.next = None;
         self.log(EventKind::Stuck, trace);
     }
