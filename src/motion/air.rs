@@ -245,6 +245,7 @@ impl Body {
         let mesh = self.ground(terrain);
         let feature_edge = mesh.segment(segment);
         let walkable = walkable(feature_edge, terrain.tuning.max_slope);
+        self.off_wall = None;
         if walkable {
             (self.rising, self.coyote_from) = (false, None);
             self.log(EventKind::Landed(into), trace);
@@ -280,6 +281,7 @@ impl Body {
                 self.face(&self.ground(terrain)),
             );
             let p = on.take_off_point(self.time, self.ground(terrain));
+            self.come_off_wall(terrain);
             self.fly(p, v, face, [Some(segment), None]);
             self.log(EventKind::Parted, trace);
         }
@@ -308,7 +310,7 @@ impl Body {
             .ground(terrain)
             .left(edge)
             .expect("free on the left of a blocking edge");
-        self.rising = false;
+        (self.rising, self.off_wall) = (false, None);
         self.mode = Mode::Wedge(Wedge { at, face });
         self.log(EventKind::Wedged, trace);
     }

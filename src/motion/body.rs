@@ -1,9 +1,11 @@
 //! The state of one body, and what can be read from it.
 
+pub use super::event::{Event, EventKind, Trace};
 use super::mover::Ride;
 use super::terrain::{Ground, Terrain};
 use super::track::Track;
-use crate::mesh::{EdgeId, FaceId, FeatureId, Mesh, SegmentId};
+use super::wall::{Lock, OffWall};
+use crate::mesh::{EdgeId, FaceId, Mesh, SegmentId};
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
 use xxhash_rust::xxh3::Xxh3;
@@ -52,6 +54,8 @@ pub struct Air {
     /// The feature edge that the body has left for this flight, and one that it has touched since: not yet apart from
     /// them, as rounding goes.
     pub touching: [Option<SegmentId>; 2],
+    /// The direction that a wall jump holds.
+    pub lock: Option<Lock>,
 }
 
 /// On a surface: a quadratic along a feature edge.
@@ -125,6 +129,8 @@ pub(super) enum Next {
     Vertex,
     /// There is room to stand up; on a surface, from this parameter on.
     Clear(Option<f64>),
+    /// A wall jump holds the direction no longer.
+    Unlock,
 }
 
 impl Next {
@@ -154,97 +160,12 @@ pub struct Body {
     pub(super) pressed_at: Option<f64>,
     /// When the ground was left by walking off it.
     pub(super) coyote_from: Option<f64>,
+    /// The wall that was come off last, without anything met since.
+    pub(super) off_wall: Option<OffWall>,
     /// In the rise of a jump whose key is still held.
     pub(super) rising: bool,
     /// The next event and its time; `None` if nothing will ever happen by itself.
     pub(super) next: Option<(f64, Next)>,
-}
-
-/// Something that happened to a body.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Event {
-    /// Simulated time, within the tick, s.
-    pub time: f64,
-    /// What.
-    pub kind: EventKind,
-}
-
-/// Kinds of events.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub enum EventKind {
-    /// Took off.
-    Jumped,
-    /// Walked off the ground.
-    Left,
-    /// Came to walkable ground, with this speed into it (m/s).
-    Landed(f64),
-    /// Met a wall, a ceiling or too steep a slope, with this speed into it (m/s).
-    Hit(f64),
-    /// Came off a wall or a steep slope.
-    Parted,
-    /// Walked round a bend.
-    Joint,
-    /// Walked against a wall, with this speed (m/s).
-    Stopped(f64),
-    /// Was wedged.
-    Wedged,
-    /// Changed size.
-    Resized(Size),
-    /// Reached the speed that it was accelerating to, or a change of gravity.
-    Limit,
-    /// Took off from a wall.
-    WallJumped,
-    /// Let itself fall through a one-way.
-    Dropped,
-    /// Was set down onto ground this far below the end of the old one (m).
-    Snapped(f64),
-    /// Stepped up onto ground this much higher (m).
-    SteppedUp(f64),
-    /// Was moved this far round a corner that it barely struck (m).
-    Corrected(f64),
-    /// Took hold of a ledge.
-    Grabbed,
-    /// Took hold of a ladder or of a wall that can be climbed.
-    Climbed,
-    /// Let go of what it held.
-    LetGo,
-    /// Came from one frame to another without leaving the ground: onto a moving solid, or onto the level (`None`).
-    Boarded(Option<u32>),
-    /// Is pushed by a moving solid from now on.
-    Pushed(u32),
-    /// Was crushed between a moving solid and something else.
-    Crushed,
-    /// Was found inside a solid that has just been put there, and moved this far out of it (m).
-    Embedded(f64),
-    /// Came into a region.
-    Entered(FeatureId),
-    /// Came out of a region.
-    Exited(FeatureId),
-    /// What carries or pushes it began another piece of its path.
-    Node(u32),
-    /// The time is over for which a wall jump holds the direction.
-    Unlocked,
-    /// Was held where it is because its events did not end: a defect of this code, kept from hanging the game.
-    Stuck,
-}
-
-/// What happened in a step: the events, and the counts that bound its work.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Trace {
-    /// In order of time.
-    pub events: Vec<Event>,
-    /// Free edges crossed in the air.
-    pub crossed: u64,
-    /// Vertices reached on surfaces.
-    pub passed: u64,
-}
-
-impl Trace {
-    /// Forgets everything; keeps the memory.
-    pub fn clear(&mut self) {
-        self.events.clear();
-        (self.crossed, self.passed) = (0, 0);
-    }
 }
 
 /// A body cannot be placed here.
@@ -458,6 +379,10 @@ impl Body {
             self.time,
             timer(self.pressed_at),
             timer(self.coyote_from),
+            timer(self.off_wall.map(|wall| wall.at)),
+            self.off_wall.map_or(0.0, |wall| wall.away),
+            timer(self.lock().map(|lock| lock.until)),
+            self.lock().map_or(0.0, |lock| lock.run),
         ];
         for number in numbers {
             hash.update(&(number + 0.0).to_bits().to_le_bytes());

@@ -269,6 +269,7 @@ impl Body {
         let face = face.expect("a surface has a free face beside it");
         let vertex = mesh.point(mesh.origin(spoke)).metres();
         let v = joint.track.tangent * (joint.sign * joint.speed);
+        self.come_off_wall(terrain);
         self.fly(vertex, v, face, [None; 2]);
         if walked {
             self.coyote_from = Some(self.time);

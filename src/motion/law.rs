@@ -17,13 +17,13 @@ pub struct Law {
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 impl Law {
-    const REST: Law = Law {
+    pub(super) const REST: Law = Law {
         accel: 0.0,
         until: None,
     };
 
     /// Towards a speed, and no further.
-    fn towards(speed: f64, target: f64, rate: f64) -> Law {
+    pub(super) fn towards(speed: f64, target: f64, rate: f64) -> Law {
         if rate == 0.0 || speed == target {
             return Law::REST;
         }

@@ -7,8 +7,8 @@
 //! a free edge is one, and so results depend neither on the tick rate nor on how free space is triangulated.
 //!
 //! In reading order: [`terrain`] and [`mover`] (in what?), [`roots`] (when?), [`track`] (along what?), [`vertex`] (what
-//! next?), [`law`] (how fast?), [`body`] (the state), `step` (the sequence of events) with `air`, `corner`, `surface`, `joint`
-//! and `size`, [`Anchor`] (edits under a body), [`check`] (the invariants).
+//! next?), [`law`] (how fast?), [`body`] (the state), [`event`] (what happens to it), `step` (the sequence of events) with
+//! `air`, `corner`, `surface`, `joint`, [`wall`] and `size`, [`Anchor`] (edits under a body), [`check`] (the invariants).
 //!
 //! What is absent: swimming, and solids that rotate. Bodies do not meet each other.
 
@@ -17,6 +17,7 @@ pub mod body;
 pub mod check;
 mod corner;
 mod edit;
+pub mod event;
 mod joint;
 pub mod law;
 pub mod mover;
@@ -27,6 +28,7 @@ mod surface;
 pub mod terrain;
 pub mod track;
 pub mod vertex;
+pub mod wall;
 
 pub use body::{Body, Control, Event, EventKind, Mode, Size, SpawnError, Trace};
 pub use edit::Anchor;

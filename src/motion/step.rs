@@ -27,6 +27,7 @@ impl Body {
             time,
             pressed_at: None,
             coyote_from: None,
+            off_wall: None,
             rising: false,
             next: None,
         };
@@ -97,6 +98,7 @@ impl Body {
             Next::Vertex if self.pass_vertex(terrain, trace) => return self.schedule(terrain),
             Next::Vertex => {}
             Next::Clear(parameter) => self.come_clear(parameter),
+            Next::Unlock => self.unlock(trace),
         }
         self.refresh(terrain, trace);
     }
@@ -144,34 +146,48 @@ impl Body {
             face,
             since: 0.0,
             touching,
+            lock: None,
         });
     }
 
-    /// A jump, if one was asked for not too long ago and there is ground, or was not too long ago.
+    /// A jump, if one was asked for not too long ago and there is ground, or was not too long ago; else one from a wall.
     fn jump_if_asked(&mut self, terrain: &Terrain, trace: &mut Trace) {
         let t = terrain.tuning;
-        let within =
-            |since: Option<f64>, span: f64| since.is_some_and(|since| self.time - since <= span);
-        if !within(self.pressed_at, t.jump_buffer) {
+        if !self.within(self.pressed_at, t.jump_buffer) {
             return;
         }
         let grounded = match &self.mode {
-            Mode::Air(_) => within(self.coyote_from, t.coyote_time),
+            Mode::Air(_) => self.within(self.coyote_from, t.coyote_time),
             Mode::Surface(on) => on.walkable,
             Mode::Wedge(_) => true,
             Mode::Crushed(_) => false,
         };
-        if !grounded {
-            return;
+        match grounded {
+            true => self.jump(terrain, trace),
+            false => self.wall_jump_if_there(terrain, trace),
         }
+    }
+
+    /// Whether something happened at most a time span ago.
+    pub(super) fn within(&self, since: Option<f64>, span: f64) -> bool {
+        since.is_some_and(|since| self.time - since <= span)
+    }
+
+    fn jump(&mut self, terrain: &Terrain, trace: &mut Trace) {
+        let t = terrain.tuning;
         let mesh = self.ground(terrain);
         let (mut v, face) = (self.local_velocity(), self.face(&mesh));
         let p = self.local_position();
         v.y = v.y.max(0.0) + t.jump_speed;
         let touching = [self.segment(), None];
         self.fly(p, v, face, touching);
-        (self.pressed_at, self.coyote_from) = (None, None);
         self.log(EventKind::Jumped, trace);
+        self.rise(terrain);
+    }
+
+    /// In the rise of a jump that has just begun.
+    pub(super) fn rise(&mut self, terrain: &Terrain) {
+        (self.pressed_at, self.coyote_from, self.off_wall) = (None, None, None);
         // A buffered jump whose key is up again is cut at once: the lowest hop.
         self.rising = true;
         if !self.control.jump {
@@ -195,6 +211,7 @@ impl Body {
     /// Chooses the constant accelerations of the piece that starts now, and when they stop to hold.
     fn choose_law(&mut self, terrain: &Terrain) {
         let (t, control) = (terrain.tuning, self.control);
+        let slows = self.is_slowed_by_wall(terrain);
         let limit = |from: f64, law: law::Law, speed: f64| {
             law.until
                 .zip(law.time_left(speed))
@@ -202,8 +219,9 @@ impl Body {
         };
         match &mut self.mode {
             Mode::Air(air) => {
+                let run = air.lock.map_or(control.run, |lock| lock.run);
                 let (x, y) = (
-                    law::steer(air.v0.x, &control, t),
+                    law::steer(air.v0.x, &Control { run, ..control }, t),
                     law::fall(air.v0.y, &control, t),
                 );
                 air.accel = DVec2::new(x.accel, y.accel);
@@ -218,19 +236,7 @@ impl Body {
                 on.stand_against_wall();
             }
             Mode::Surface(on) => {
-                let DVec2 { x: run, y: climb } = on.track.tangent;
-                let law = law::fall(on.u0 * climb, &control, t);
-                on.accel = law.accel * climb;
-                // The speeds at which the fall changes, the slide turns, and the push of the stick ends.
-                let marks = [
-                    law.until.map(|until| until / climb),
-                    Some(0.0),
-                    Some(control.run * t.run_speed / run),
-                ];
-                let after = |&mark: &f64| mark.is_finite() && (mark - on.u0) * on.accel > 0.0;
-                let first = |a: &f64, b: &f64| (a - on.u0).abs().total_cmp(&(b - on.u0).abs());
-                let mark = marks.into_iter().flatten().filter(after).min_by(first);
-                on.limit = mark.map(|mark| (on.t0 + (mark - on.u0) / on.accel, mark));
+                on.choose_slide(&control, slows, t);
                 on.stand_against_wall();
             }
             Mode::Wedge(_) | Mode::Crushed(_) => {}
@@ -262,8 +268,9 @@ impl Body {
             Mode::Surface(on) => on.next(mesh),
             Mode::Wedge(_) | Mode::Crushed(_) => None,
         };
+        let found = self.sooner_if_clear(found, terrain);
         self.next = self
-            .sooner_if_clear(found, terrain)
+            .sooner_if_unlocked(found)
             .map(|(at, what)| (at.max(self.time), what));
     }
 

@@ -9,3 +9,4 @@ mod rig;
 mod slopes;
 mod swept;
 mod timing;
+mod walls;
