@@ -4,8 +4,8 @@ use super::body::{Body, EventKind, Mode, Surface, Trace};
 use super::terrain::{Ground, Terrain};
 use super::track::{Track, cross, dot, walkable};
 use super::vertex::{
-    Bearing, Heading, JOINT_STEPS, Sector, ahead, behind, bridge, sector, segment_at, surface_next,
-    turns_towards,
+    Bearing, Heading, JOINT_STEPS, Sector, ahead, behind, bridge, is_lip, sector, segment_at,
+    surface_next, turns_towards,
 };
 use crate::geom::STEP;
 use crate::mesh::{EdgeId, SegmentId};
@@ -154,11 +154,11 @@ impl Body {
     ) -> bool {
         let mesh = self.ground(terrain);
         let t = terrain.tuning;
-        let ground = match &onward {
-            Some(on) if walkable(mesh.segment(on.segment), t.max_slope) => {
-                Some((on.edge, on.segment))
-            }
-            _ => bridge(mesh, joint.next, joint.heading, t.max_slope),
+        let next = onward.as_ref().map(|on| (on.edge, on.segment));
+        let next = next.filter(|&(_, s)| walkable(mesh.segment(s), t.max_slope));
+        let ground = match next {
+            Some((_, s)) if !is_lip(mesh.segment(s)) => next,
+            _ => bridge(mesh, joint.next, joint.heading, t.max_slope).or(next),
         };
         if let Some((edge, s)) = ground {
             let onward = joint.onto(mesh, edge, s);

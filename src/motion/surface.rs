@@ -3,8 +3,9 @@
 use super::body::{Next, Surface};
 use super::roots::cover;
 use super::terrain::Ground;
-use super::vertex::{Heading, ahead};
-use crate::mesh::EdgeId;
+use super::track::Track;
+use super::vertex::{Heading, ahead, segment_at, surface_next};
+use crate::mesh::{EdgeId, SegmentId};
 use glam::DVec2;
 
 impl Surface {
@@ -14,13 +15,29 @@ impl Surface {
         if sign == 0.0 {
             return None;
         }
-        let there = self
-            .track
-            .parameter_of(mesh.point(ahead(mesh, self.edge, self.heading(sign))));
+        let there = self.joint_ahead(mesh, sign);
         let vertex = self
             .reaches(there)
             .map(|dt| (self.t0 + dt.max(self.since), Next::Vertex));
         Next::or_limit(vertex, self.limit.map(|(at, _)| at))
+    }
+
+    /// The parameter of the vertex ahead: where another feature edge goes on from it, that of the point where the two really
+    /// cross, of which the vertex is the rounded place.
+    fn joint_ahead(&self, mesh: Ground, sign: f64) -> f64 {
+        let heading = self.heading(sign);
+        let vertex = mesh.point(ahead(mesh, self.edge, heading));
+        let segment = mesh.segment(self.segment);
+        if vertex == segment.a || vertex == segment.b {
+            return self.track.parameter_of(vertex);
+        }
+        let next = surface_next(mesh, self.edge, heading);
+        let road = |s| Track::of(mesh.segment(s));
+        let same_line = |s: SegmentId| s == self.segment || road(s).same_line(&self.track);
+        match segment_at(mesh, next, mesh.max_slope, same_line) {
+            Some(s) if !same_line(s) => self.track.parameter_at_joint(segment, &road(s), vertex),
+            _ => self.track.parameter_of(vertex),
+        }
     }
 
     /// When a parameter ahead is reached, as a time after `t0`.

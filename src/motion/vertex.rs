@@ -4,7 +4,7 @@
 use super::terrain::Ground;
 use super::track::{cross, delta, dot, walkable};
 use crate::geom::Point;
-use crate::mesh::{EdgeId, FaceId, SegmentId, VertexId};
+use crate::mesh::{EdgeId, FaceId, Segment, SegmentId, VertexId};
 use glam::DVec2;
 
 /// Rises, drops and gaps of at most this many grid steps between walkable edges count as joints: the one geometric
@@ -208,6 +208,11 @@ pub fn bridge(
         .or_else(|| across_slit(mesh, home, heading, max_slope))
 }
 
+/// Whether a feature edge is no longer than a joint is wide: a walker passes over it if ground goes on beyond.
+pub fn is_lip(segment: &Segment) -> bool {
+    near(segment.a, segment.b)
+}
+
 fn near(p: Point, home: Point) -> bool {
     p.x.abs_diff(home.x) <= JOINT_STEPS as u32 && p.y.abs_diff(home.y) <= JOINT_STEPS as u32
 }
@@ -222,7 +227,8 @@ fn along_surface(
     let mut e = next;
     // The box holds 25 grid points, and the surface passes each at most once on either side of a collapsed corridor.
     for _ in 0..50 {
-        if let Some(s) = walkable_at(mesh, e, max_slope) {
+        let ground = walkable_at(mesh, e, max_slope).filter(|&s| !is_lip(mesh.segment(s)));
+        if let Some(s) = ground {
             return Some((e, s));
         }
         if !near(mesh.point(ahead(mesh, e, heading)), home) {

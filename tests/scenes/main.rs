@@ -7,6 +7,10 @@ mod edits;
 mod found;
 mod rig;
 mod slopes;
+mod stress;
 mod swept;
 mod timing;
 mod walls;
+
+#[path = "../common/worlds.rs"]
+mod worlds;
