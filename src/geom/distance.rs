@@ -80,15 +80,15 @@ mod tests {
     fn fractions_are_compared_exactly_across_the_world() {
         let p = Point::new;
         let end = BOUND - 1;
-        // Two lines right across the world that pass the origin at almost the same distance.
-        let near = SquaredDistance::to_segment(p(0, 0), p(-end, 1), p(end, 2));
-        let far = SquaredDistance::to_segment(p(0, 0), p(-end + 1, 1), p(end, 2));
+        // Lines right across the world that pass the origin at distances which differ in the 57th bit.
+        let far = SquaredDistance::to_segment(p(0, 0), p(-end, 1), p(end, 2));
+        let near = SquaredDistance::to_segment(p(0, 0), p(-end, 0), p(end, 3));
         assert!(near.root() == far.root() && near < far);
         assert_eq!(
-            near,
+            far,
             SquaredDistance::to_segment(p(0, 0), p(end, -2), p(-end, -1))
         );
-        // Three fifths of the way up: 3, 4 and 5 make a right angle.
+        // A 3-4-5 triangle: the line 3x + 4y = 15.
         let slope = SquaredDistance::to_segment(p(0, 0), p(5, 0), p(-11, 12));
         assert_eq!(
             slope,
