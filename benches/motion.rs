@@ -6,7 +6,7 @@ mod player;
 
 use divan::counter::ItemsCount;
 use divan::{Bencher, black_box};
-use edgewalker::game::{Replay, Stage};
+use edgewalker::game::{Replay, Shape, Stage};
 use edgewalker::motion::{Body, Control, Trace};
 use edgewalker::tune::Motion;
 use player::quarry;
@@ -20,7 +20,8 @@ fn main() {
 fn ticks(bencher: Bencher, warm: u32, n: u32, control: Control) {
     let stage = Stage::build(quarry()).unwrap();
     let tuning = Motion::default();
-    let terrain = stage.terrain(&tuning);
+    let land = stage.land(&Shape::hero()).unwrap();
+    let terrain = land.terrain(&stage, &tuning);
     let mut trace = Trace::default();
     let mut body = Body::spawn(stage.level.start, 0.0, &terrain).unwrap();
     body.advance(2.0, &terrain, &mut trace);
@@ -82,8 +83,19 @@ fn ticks_of_the_golden_run(bencher: Bencher) {
 fn clone_a_body(bencher: Bencher) {
     let stage = Stage::build(quarry()).unwrap();
     let tuning = Motion::default();
-    let body = Body::spawn(stage.level.start, 0.0, &stage.terrain(&tuning)).unwrap();
+    let land = stage.land(&Shape::hero()).unwrap();
+    let terrain = land.terrain(&stage, &tuning);
+    let body = Body::spawn(stage.level.start, 0.0, &terrain).unwrap();
     bencher.bench_local(|| black_box(&body).clone());
+}
+
+/// A snapshot of the whole game.
+#[divan::bench]
+fn clone_a_world(bencher: Bencher) {
+    let stage = Arc::new(Stage::build(quarry()).unwrap());
+    let replay = Replay::parse(include_str!("../tests/golden/quarry.replay.ron")).unwrap();
+    let world = replay.run(stage).unwrap();
+    bencher.bench_local(|| black_box(&world).clone());
 }
 
 /// All three meshes of the quarry: standing, crouching, outlines.

@@ -5,7 +5,7 @@ mod player;
 #[path = "common/worlds.rs"]
 mod worlds;
 
-use edgewalker::game::Stage;
+use edgewalker::game::{Shape, Stage};
 use edgewalker::motion::{Body, Control, EventKind, Terrain, Trace};
 use edgewalker::tune::Motion;
 use glam::DVec2;
@@ -58,7 +58,8 @@ fn play(
 fn a_minute_has_the_same_bits_at_every_rate_and_split() {
     let stage = Stage::build(quarry()).unwrap();
     let tuning = Motion::default();
-    let terrain = stage.terrain(&tuning);
+    let land = stage.land(&Shape::hero()).unwrap();
+    let terrain = land.terrain(&stage, &tuning);
     let start = stage.level.start;
     let at_rate = |rate: u32| {
         play(&terrain, start, |stretch| {

@@ -1,18 +1,25 @@
 //! The rules: Input in, View and Event out.
 //!
-//! A [`Stage`] is a level with its meshes, a [`World`] the state of a game in it, a [`Replay`] a run as a value. Nothing here
-//! opens a window, reads a clock or touches a file.
+//! A [`Stage`] is a level with its meshes, a [`World`] the state of a game in it, a [`Snapshot`] that state as a plain value,
+//! a [`Replay`] a run as one. Nothing here opens a window, reads a clock or touches a file.
 
 mod blend;
 pub mod camera;
+mod meshes;
+mod paths;
 pub mod replay;
+mod rules;
+mod snapshot;
 mod stage;
 mod world;
 
+pub use meshes::{Meshes, Shape};
 pub use replay::{Replay, ReplayError};
-pub use stage::{Stage, StageError};
-pub use world::World;
+pub use snapshot::{RestoreError, Snapshot};
+pub use stage::{Edit, EditError, Land, Stage, StageError};
+pub use world::{Actor, AddError, World};
 
+use crate::level::Material;
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
@@ -24,8 +31,10 @@ pub struct Input {
     pub run: i8,
     /// Jump is held.
     pub jump: bool,
-    /// Down is held: crouch on the ground, fast fall in the air.
+    /// Down is held: crouch on the ground, fast fall in the air, climb down.
     pub down: bool,
+    /// Up is held: climb.
+    pub up: bool,
     /// Back to the start, at once.
     pub retry: bool,
 }
@@ -60,6 +69,8 @@ pub struct View {
     pub crouched: bool,
     /// -1 left, 1 right.
     pub facing: f64,
+    /// What the ground or wall in contact is made of.
+    pub material: Option<Material>,
     /// Simulated time of the last take-off, landing.
     pub left_at: f64,
     /// Simulated time of the last landing.
@@ -68,6 +79,6 @@ pub struct View {
     pub landed_speed: f64,
     /// The goal has been reached, at this simulated time.
     pub won_at: Option<f64>,
-    /// How often the hero fell out of the level.
+    /// How often the hero died, or fell out of the level.
     pub deaths: u32,
 }

@@ -1,23 +1,55 @@
 //! A level made ready to play: its meshes are built and its start is free.
 
-use crate::geom::{Collider, Point, expand};
-use crate::level::{Kind, Level};
-use crate::mesh::{Mesh, MeshError};
-use crate::motion::{Body, SpawnError, Terrain};
+use super::meshes::{Kept, Meshes, Numbered, Plan, Shape};
+use super::paths::path;
+use crate::geom::{Collider, Point};
+use crate::level::{self, By, Concave, Feature, Flaw, Kind, Level, Starts};
+use crate::mesh::{FeatureId, MeshError};
+use crate::motion::{self, Body, Mover, Path, Region, SpawnError, Terrain, Traits};
 use crate::tune::Motion;
+use glam::DVec2;
+use serde::{Deserialize, Serialize};
 use xxhash_rust::xxh3::xxh3_64;
 
 /// A level made ready to play.
-#[derive(Debug)]
+///
+/// Features have numbers: those of the level as listed there, then those of the movers, then the goal box, then
+/// whatever [`Stage::edit`] puts in. A number is never used again.
+#[derive(Clone, Debug)]
 pub struct Stage {
-    /// The level.
+    /// The level, as it was loaded.
     pub level: Level,
-    /// Motion mesh of the standing hero.
-    pub stand: Mesh,
-    /// Motion mesh of the crouching hero.
-    pub crouch: Mesh,
-    /// Mesh of the outlines themselves (a point as collider): what there is to see.
-    pub outline: Mesh,
+    /// By number; `None` once it is gone.
+    features: Vec<Option<Feature>>,
+    traits: Vec<Traits>,
+    /// Of each mover: where it goes, and the number of the trigger that it waits for.
+    paths: Vec<(Path, Option<FeatureId>)>,
+    plan: Plan,
+    kept: Kept,
+    edits: Vec<Edit>,
+    fingerprint: u64,
+}
+
+/// The ground for bodies of one shape: its meshes, and the movers, which carry theirs.
+#[derive(Clone, Debug)]
+pub struct Land {
+    /// For the standing collider.
+    pub stand: Meshes,
+    /// For the crouching one.
+    pub crouch: Meshes,
+    /// In the order of the level; those that wait for a trigger have not started.
+    pub movers: Vec<Mover>,
+}
+
+/// A change of the level while it is played.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Edit {
+    /// Puts in a feature with a new id.
+    Insert(Feature),
+    /// Takes out the feature with this id.
+    Remove(String),
+    /// Takes out the feature with the same id and puts in this one.
+    Replace(Feature),
 }
 
 /// Why a level cannot be played.
@@ -51,68 +83,237 @@ impl std::fmt::Display for StageError {
 
 impl std::error::Error for StageError {}
 
+/// Why an edit is refused; nothing has changed then.
+#[derive(Clone, Debug, PartialEq)]
+pub enum EditError {
+    /// No feature of the level has this id, or it moves.
+    Unknown(String),
+    /// A feature has this id already.
+    Taken(String),
+    /// The feature breaks a rule.
+    Flaw(Flaw),
+}
+
+impl std::fmt::Display for EditError {
+    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+        match self {
+            EditError::Unknown(id) => write!(f, "there is no feature {id:?} that stands still"),
+            EditError::Taken(id) => write!(f, "there is a feature {id:?} already"),
+            EditError::Flaw(flaw) => flaw.fmt(f),
+        }
+    }
+}
+
+impl std::error::Error for EditError {}
+
 impl Stage {
-    /// Builds the meshes of a level.
+    /// Builds the hero's meshes of a level.
     ///
     /// # Errors
     /// If an outline leaves the world when expanded, or the hero does not fit at the start.
     pub fn build(level: Level) -> Result<Stage, StageError> {
-        let outlines = snapped(&level)?;
-        let mesh = |collider: &Collider| {
-            let features: Vec<_> = outlines
-                .iter()
-                .zip(&level.features)
-                .map(|(outline, feature)| match feature.kind {
-                    Kind::Solid => expand(outline, collider),
-                    _ => Vec::new(),
-                })
-                .collect();
-            Mesh::build(&features).map_err(StageError::Mesh)
+        let mut features = level.features.clone();
+        let still = features.len();
+        let riders = level.movers.iter().flat_map(|mover| &mover.features);
+        features.extend(riders.cloned());
+        features.push(goal_box(&level));
+        features.iter().try_for_each(check_corners)?;
+        let numbered: Vec<Numbered> = (0..).zip(features.iter().cloned()).collect();
+        let mut next = still;
+        let movers = level.movers.iter().map(|mover| {
+            let first = next;
+            next += mover.features.len();
+            numbered[first..next].to_vec()
+        });
+        let plan = Plan {
+            movers: movers.collect(),
+            still: [&numbered[..still], &numbered[features.len() - 1..]].concat(),
+            changes: Vec::new(),
         };
-        let (stand, crouch, outline) = (
-            mesh(&Collider::hero())?,
-            mesh(&Collider::hero_crouched())?,
-            mesh(&Collider::point())?,
-        );
+        let text = ron::to_string(&level).expect("a level is plain data");
         let stage = Stage {
+            traits: features.iter().map(traits).collect(),
+            features: features.into_iter().map(Some).collect(),
+            paths: level.movers.iter().map(|m| way(m, &level)).collect(),
+            plan,
+            kept: Kept::default(),
+            edits: Vec::new(),
+            fingerprint: xxh3_64(text.as_bytes()),
             level,
-            stand,
-            crouch,
-            outline,
         };
+        let land = stage.land(&Shape::hero()).map_err(StageError::Mesh)?;
+        stage.meshes(&Collider::point()).map_err(StageError::Mesh)?;
         let tuning = Motion::default();
-        Body::spawn(stage.level.start, 0.0, &stage.terrain(&tuning)).map_err(StageError::Start)?;
+        let terrain = land.terrain(&stage, &tuning);
+        Body::spawn(stage.level.start, 0.0, &terrain).map_err(StageError::Start)?;
         Ok(stage)
     }
 
-    /// What bodies move in.
-    pub fn terrain<'a>(&'a self, tuning: &'a Motion) -> Terrain<'a> {
-        Terrain::new(&self.stand, &self.crouch, tuning)
+    /// The meshes for a collider: built on first use, by one thread, and kept.
+    ///
+    /// # Errors
+    /// If an outline leaves the world when expanded.
+    pub fn meshes(&self, collider: &Collider) -> Result<Meshes, MeshError> {
+        self.kept.get(collider, &self.plan)
     }
 
-    /// Hash of what the level says, whatever its layout and comments.
+    /// How many colliders have their meshes.
+    pub fn mesh_count(&self) -> usize {
+        self.kept.count()
+    }
+
+    /// The ground for bodies of a shape.
+    ///
+    /// # Errors
+    /// If an outline leaves the world when expanded.
+    pub fn land(&self, shape: &Shape) -> Result<Land, MeshError> {
+        let (stand, crouch) = (self.meshes(&shape.stand)?, self.meshes(&shape.crouch)?);
+        let mover = |(i, (path, trigger)): (usize, &(Path, Option<FeatureId>))| Mover {
+            stand: stand.movers[i].clone(),
+            crouch: crouch.movers[i].clone(),
+            path: path.clone(),
+            start: trigger.is_none().then_some(0.0),
+        };
+        let movers = self.paths.iter().enumerate().map(mover).collect();
+        Ok(Land {
+            stand,
+            crouch,
+            movers,
+        })
+    }
+
+    /// What features are to bodies, by number.
+    pub fn traits(&self) -> &[Traits] {
+        &self.traits
+    }
+
+    /// The features that stand still and those that move, with their numbers.
+    pub fn features(&self) -> impl Iterator<Item = (FeatureId, &Feature)> {
+        let numbered = (0..).zip(&self.features);
+        numbered.filter_map(|(id, feature)| Some((id, feature.as_ref()?)))
+    }
+
+    /// The feature with a number.
+    pub fn feature(&self, id: FeatureId) -> Option<&Feature> {
+        self.features.get(id as usize)?.as_ref()
+    }
+
+    /// The trigger that a mover waits for.
+    pub fn trigger(&self, mover: usize) -> Option<FeatureId> {
+        self.paths.get(mover)?.1
+    }
+
+    /// Changes the level. Meshes are edited in place, unless somebody else holds them.
+    ///
+    /// # Errors
+    /// If the id is taken or unknown, or the feature breaks a rule; nothing has changed then.
+    pub fn edit(&mut self, edit: Edit) -> Result<(), EditError> {
+        let still = |id: &str| {
+            let moves = |n: FeatureId| self.plan.movers.iter().flatten().any(|rider| rider.0 == n);
+            let found = self.features().find(|(_, f)| f.id == id);
+            found.map(|(n, _)| n).filter(|&n| !moves(n))
+        };
+        let known = |id: &str| still(id).ok_or_else(|| EditError::Unknown(id.into()));
+        let (gone, feature) = match &edit {
+            Edit::Insert(f) if self.features().any(|(_, other)| other.id == f.id) => {
+                return Err(EditError::Taken(f.id.clone()));
+            }
+            Edit::Insert(f) => (None, Some(f.clone())),
+            Edit::Remove(id) => (Some(known(id)?), None),
+            Edit::Replace(f) => (Some(known(&f.id)?), Some(f.clone())),
+        };
+        if let Some(f) = &feature {
+            level::check_feature(f).map_err(EditError::Flaw)?;
+        }
+        let come = feature.map(|f| (self.features.len() as FeatureId, f));
+        let change = (gone, come.clone());
+        self.kept
+            .apply(&change)
+            .expect("every mesh has room for a feature that keeps the rules");
+        if let Some(id) = gone {
+            self.features[id as usize] = None;
+        }
+        if let Some((_, f)) = come {
+            self.traits.push(traits(&f));
+            self.features.push(Some(f));
+        }
+        self.plan.changes.push(change);
+        self.edits.push(edit);
+        Ok(())
+    }
+
+    /// All edits since the level was loaded.
+    pub fn edits(&self) -> &[Edit] {
+        &self.edits
+    }
+
+    /// Hash of what the level said when it was loaded, whatever its layout and comments.
     pub fn fingerprint(&self) -> u64 {
-        let text = ron::to_string(&self.level).expect("a level is plain data");
-        xxh3_64(text.as_bytes())
+        self.fingerprint
     }
 }
 
-/// The outlines on the grid.
-fn snapped(level: &Level) -> Result<Vec<Vec<Point>>, StageError> {
-    let corner = |feature: &str, (corner, p)| {
-        Point::snap(p).ok_or_else(|| StageError::Corner {
-            feature: feature.to_owned(),
+impl Land {
+    /// What bodies of the shape move in.
+    pub fn terrain<'a>(&'a self, stage: &'a Stage, tuning: &'a Motion) -> Terrain<'a> {
+        Terrain {
+            stand: &self.stand.level,
+            crouch: &self.crouch.level,
+            tuning,
+            traits: &stage.traits,
+            movers: &self.movers,
+        }
+    }
+}
+
+/// The goal box is a region like others, entered by the hero's foot.
+fn goal_box(level: &Level) -> Feature {
+    let (min, max) = (level.goal.min, level.goal.max);
+    Feature {
+        kind: Kind::Goal,
+        by: Some(By::Foot),
+        outline: vec![min, DVec2::new(max.x, min.y), max, DVec2::new(min.x, max.y)],
+        ..Feature::default()
+    }
+}
+
+fn check_corners(feature: &Feature) -> Result<(), StageError> {
+    match feature
+        .outline
+        .iter()
+        .position(|&p| Point::snap(p).is_none())
+    {
+        None => Ok(()),
+        Some(corner) => Err(StageError::Corner {
+            feature: feature.id.clone(),
             corner,
-        })
+        }),
+    }
+}
+
+/// Where a mover goes, and the trigger that it waits for.
+fn way(mover: &level::Mover, level: &Level) -> (Path, Option<FeatureId>) {
+    let trigger = match &mover.starts {
+        Starts::AtOnce => None,
+        Starts::On(id) => level.features.iter().position(|f| f.id == *id),
     };
-    let outline = |feature: &crate::level::Feature| {
-        feature
-            .outline
-            .iter()
-            .copied()
-            .enumerate()
-            .map(|c| corner(&feature.id, c))
-            .collect()
-    };
-    level.features.iter().map(outline).collect()
+    (path(mover), trigger.map(|index| index as FeatureId))
+}
+
+/// What a feature is to the motion.
+fn traits(feature: &Feature) -> Traits {
+    Traits {
+        region: match feature.kind {
+            Kind::Solid | Kind::OneWay => Region::None,
+            Kind::Ladder => Region::Ladder,
+            Kind::Hazard | Kind::Checkpoint | Kind::Goal | Kind::Trigger => Region::Plain,
+        },
+        climbable: feature.climbable,
+        conveyor: feature.conveyor,
+        friction: feature.friction,
+        concave: feature.concave.map(|concave| match concave {
+            Concave::Keep => motion::Concave::Keep,
+            Concave::Project => motion::Concave::Project,
+        }),
+    }
 }

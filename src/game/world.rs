@@ -1,179 +1,264 @@
-//! The world: one hero in one level, tick by tick.
+//! The world: the hero and other bodies in one level, tick by tick.
 
-use super::stage::Stage;
+use super::meshes::Shape;
+use super::snapshot::State;
+use super::stage::{Edit, EditError, Land, Stage};
 use super::{Input, Stance, View};
-use crate::mesh::Mesh;
-use crate::motion::{Body, Control, Event, EventKind, Mode, Size, Trace};
+use crate::level::Material;
+use crate::mesh::{Mesh, MeshError};
+use crate::motion::{Body, Control, Mode, Size, SpawnError, Trace};
 use crate::tune::{Motion, Tuning};
 use glam::DVec2;
+use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 use xxhash_rust::xxh3::Xxh3;
 
-/// The whole simulation state. Clone it to take a snapshot.
+/// The whole simulation. Clone it, or take a [`Snapshot`](super::Snapshot), to come back to this moment.
 #[derive(Clone, Debug)]
 pub struct World {
-    stage: Arc<Stage>,
-    rate: u32,
-    seed: u64,
-    tick: u64,
-    hero: Body,
-    /// The tuning of the tick before: a change is an event.
-    tuning: Motion,
-    retry: bool,
-    facing: f64,
-    left_at: f64,
-    landed_at: f64,
-    landed_speed: f64,
-    won_at: Option<f64>,
-    deaths: u32,
-    trace: Trace,
+    pub(super) stage: Arc<Stage>,
+    pub(super) state: State,
+    /// The ground for each shape of the state, in the same order.
+    pub(super) lands: Arc<Vec<Land>>,
+    /// What happened to each body in the last tick.
+    pub(super) traces: Vec<Trace>,
 }
+
+/// A body in the world.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Actor {
+    /// Index of its shape.
+    pub(super) shape: usize,
+    /// What it wants, from the next tick on.
+    pub(super) control: Control,
+    pub(super) body: Body,
+}
+
+/// Why a body cannot be added.
+#[derive(Clone, Debug, PartialEq)]
+pub enum AddError {
+    /// It does not fit there.
+    Spawn(SpawnError),
+    /// The level has no meshes for its shape.
+    Mesh(MeshError),
+}
+
+impl std::fmt::Display for AddError {
+    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+        match self {
+            AddError::Spawn(error) => error.fmt(f),
+            AddError::Mesh(error) => error.fmt(f),
+        }
+    }
+}
+
+impl std::error::Error for AddError {}
+
+/// The hero's place among the bodies.
+pub(super) const HERO: usize = 0;
 
 impl World {
     /// A world at tick 0, the hero at the start; `tick_rate` ticks a second, at least one.
     pub fn new(stage: Arc<Stage>, tick_rate: u32, seed: u64) -> World {
         let tuning = Motion::default();
-        let hero = at_start(&stage, 0.0, &tuning);
+        let land = stage
+            .land(&Shape::hero())
+            .expect("the stage was built for the hero");
+        let body = Body::spawn(stage.level.start, 0.0, &land.terrain(&stage, &tuning))
+            .expect("the stage was built with a free start");
         World {
+            state: State::new(&land, body, tick_rate.max(1), seed),
             stage,
-            rate: tick_rate.max(1),
-            seed,
-            tick: 0,
-            hero,
-            tuning,
-            retry: false,
-            facing: 1.0,
-            left_at: 0.0,
-            landed_at: 0.0,
-            landed_speed: 0.0,
-            won_at: None,
-            deaths: 0,
-            trace: Trace::default(),
+            lands: Arc::new(vec![land]),
+            traces: vec![Trace::default()],
         }
     }
 
-    /// One tick: takes the input, then moves the hero to the tick's end, event by event; then the rules.
+    /// One tick: takes the input, then moves all bodies to the tick's end, event by event; then the rules.
     pub fn step(&mut self, input: Input, tuning: &Tuning) {
-        self.trace.clear();
-        let stage = Arc::clone(&self.stage);
-        if self.tuning != tuning.motion {
-            self.tuning = tuning.motion.clone();
-            self.hero
-                .retune(&stage.terrain(&self.tuning), &mut self.trace);
+        self.traces.iter_mut().for_each(Trace::clear);
+        if self.state.tuning != tuning.motion {
+            self.state.tuning = tuning.motion.clone();
+            self.each(|body, terrain, trace| body.retune(terrain, trace));
         }
-        if input.retry && !self.retry {
+        if input.retry && !self.state.retry {
             self.restart();
+        } else if self.state.doomed {
+            self.die(self.time());
         }
-        self.retry = input.retry;
-        let terrain = stage.terrain(&tuning.motion);
-        self.hero.apply(input.control(), &terrain, &mut self.trace);
-        self.tick += 1;
-        self.hero.advance(self.time(), &terrain, &mut self.trace);
+        self.state.retry = input.retry;
+        self.state.actors[HERO].control = input.control();
+        self.each_actor(|actor, terrain, trace| actor.body.apply(actor.control, terrain, trace));
+        self.state.tick += 1;
+        self.run(self.time());
         self.note_events(input);
-        self.judge();
+        let foot = self.hero().position();
+        if foot.y < self.stage.level.bottom {
+            self.die(self.time());
+        } else if self.state.won_at.is_none() && self.stage.level.goal.contains(foot) {
+            self.state.won_at = Some(self.time());
+        }
     }
 
-    /// What pictures and sounds need of the tick's events.
-    fn note_events(&mut self, input: Input) {
-        if input.run != 0 {
-            self.facing = f64::from(input.run.signum());
+    /// Does something with every body in its terrain.
+    pub(super) fn each(
+        &mut self,
+        mut act: impl FnMut(&mut Body, &crate::motion::Terrain, &mut Trace),
+    ) {
+        self.each_actor(|actor, terrain, trace| act(&mut actor.body, terrain, trace));
+    }
+
+    fn each_actor(&mut self, mut act: impl FnMut(&mut Actor, &crate::motion::Terrain, &mut Trace)) {
+        let State { actors, tuning, .. } = &mut self.state;
+        for (actor, trace) in actors.iter_mut().zip(&mut self.traces) {
+            let terrain = self.lands[actor.shape].terrain(&self.stage, tuning);
+            act(actor, &terrain, trace);
         }
-        for Event { time, kind } in &self.trace.events {
-            match *kind {
-                EventKind::Landed(speed) => (self.landed_at, self.landed_speed) = (*time, speed),
-                EventKind::Jumped | EventKind::Left => self.left_at = *time,
-                _ => {}
+    }
+
+    /// Adds a body at rest, its foot at `at` (m); its number, by which it is then known. The hero's is 0.
+    ///
+    /// # Errors
+    /// If it does not fit there, or the expanded level leaves the world.
+    pub fn add_body(&mut self, shape: &Shape, at: DVec2) -> Result<usize, AddError> {
+        let index = match self.state.shapes.iter().position(|s| s == shape) {
+            Some(index) => index,
+            None => {
+                let mut land = self.stage.land(shape).map_err(AddError::Mesh)?;
+                self.state.start_movers(&mut land);
+                Arc::make_mut(&mut self.lands).push(land);
+                self.state.shapes.push(shape.clone());
+                self.lands.len() - 1
             }
+        };
+        let terrain = self.lands[index].terrain(&self.stage, &self.state.tuning);
+        let body = Body::spawn(at, self.time(), &terrain).map_err(AddError::Spawn)?;
+        self.state.actors.push(Actor {
+            shape: index,
+            control: Control::default(),
+            body,
+        });
+        self.traces.push(Trace::default());
+        Ok(self.state.actors.len() - 1)
+    }
+
+    /// What a body other than the hero shall want from the next tick on.
+    pub fn control(&mut self, body: usize, control: Control) {
+        if let Some(actor) = self.state.actors.get_mut(body) {
+            actor.control = control;
         }
     }
 
-    /// Falls out of the level, reaches the goal.
-    fn judge(&mut self) {
-        let p = self.hero.position();
-        if p.y < self.stage.level.bottom {
-            self.deaths += 1;
-            self.restart();
-        } else if self.won_at.is_none() && self.stage.level.goal.contains(p) {
-            self.won_at = Some(self.time());
-        }
+    /// Changes the level under the bodies. Those that touch nothing of the change do not notice it.
+    ///
+    /// # Errors
+    /// As [`Stage::edit`]; nothing has changed then.
+    pub fn edit(&mut self, edit: Edit) -> Result<(), EditError> {
+        let mut anchors = Vec::new();
+        self.each(|body, terrain, _| anchors.push(body.anchor(terrain)));
+        // Let go of the meshes, so that they are changed in place.
+        self.lands = Arc::default();
+        let edited = Arc::make_mut(&mut self.stage).edit(edit);
+        self.lands = Arc::new(self.state.lands(&self.stage));
+        edited?;
+        let mut anchors = anchors.iter();
+        self.each(|body, terrain, trace| {
+            let anchor = anchors.next().expect("every body has its anchor");
+            body.rehome(anchor, terrain, trace);
+        });
+        Ok(())
     }
 
-    fn restart(&mut self) {
-        self.hero = at_start(&self.stage, self.time(), &self.tuning);
-        self.won_at = None;
-    }
-
-    /// Goes on in another version of the level: the hero stays where he is if that place is free, else he restarts.
+    /// Goes on in another version of the level: bodies stay where they are if that place is free; else the hero
+    /// restarts, and others are gone.
     pub fn replace_stage(&mut self, stage: Arc<Stage>) {
-        let terrain = stage.terrain(&self.tuning);
-        let (p, v) = (self.hero.position(), self.hero.velocity());
-        match Body::spawn(p, self.time(), &terrain) {
-            Ok(mut hero) => {
-                hero.set_velocity(v, &terrain, &mut self.trace);
-                self.hero = hero;
-                self.stage = stage;
-            }
-            Err(_) => {
-                self.stage = stage;
-                self.restart();
-            }
+        self.state.forget_level(&stage);
+        self.stage = stage;
+        self.lands = Arc::new(self.state.lands(&self.stage));
+        let (time, traces) = (self.time(), &mut self.traces);
+        let State { actors, tuning, .. } = &mut self.state;
+        let mut index = 0;
+        let mut lost = false;
+        actors.retain_mut(|actor| {
+            let terrain = self.lands[actor.shape].terrain(&self.stage, tuning);
+            let (p, v) = (actor.body.position(), actor.body.velocity());
+            let placed = Body::spawn(p, time, &terrain).map(|mut body| {
+                body.set_velocity(v, &terrain, &mut traces[index]);
+                actor.body = body;
+            });
+            let stays = index == HERO || placed.is_ok();
+            lost |= index == HERO && placed.is_err();
+            index += 1;
+            stays
+        });
+        self.traces
+            .resize_with(self.state.actors.len(), Trace::default);
+        if lost {
+            self.restart();
         }
     }
 
     /// What to draw.
     pub fn view(&self) -> View {
+        let (hero, state) = (self.hero(), &self.state);
         View {
             time: self.time(),
-            position: self.hero.position(),
-            velocity: self.hero.velocity(),
-            normal: self.hero.normal(),
-            stance: match self.hero.mode() {
+            position: hero.position(),
+            velocity: hero.velocity(),
+            normal: hero.normal(),
+            stance: match hero.mode() {
                 Mode::Air(_) => Stance::Air,
-                Mode::Surface(_) if self.hero.supported() => Stance::Ground,
+                Mode::Surface(_) if hero.supported() => Stance::Ground,
                 Mode::Surface(_) => Stance::Slide,
                 Mode::Wedge(_) | Mode::Crushed(_) => Stance::Wedge,
             },
-            crouched: self.hero.size() == Size::Crouch,
-            facing: self.facing,
-            left_at: self.left_at,
-            landed_at: self.landed_at,
-            landed_speed: self.landed_speed,
-            won_at: self.won_at,
-            deaths: self.deaths,
+            crouched: hero.size() == Size::Crouch,
+            facing: state.facing,
+            material: self.underfoot(),
+            left_at: state.left_at,
+            landed_at: state.landed_at,
+            landed_speed: state.landed_speed,
+            won_at: state.won_at,
+            deaths: state.deaths,
         }
+    }
+
+    /// What the feature is made of that the hero is on.
+    fn underfoot(&self) -> Option<Material> {
+        let hero = self.hero();
+        let segment = hero.segment()?;
+        let land = &self.lands[HERO];
+        let mesh = match hero.carrier() {
+            Some(mover) => land.movers[mover as usize].mesh(hero.size()),
+            None => self.mesh(),
+        };
+        let feature = self.stage.feature(mesh.segment(segment).feature)?;
+        Some(feature.material)
     }
 
     /// Hash of the state, equal on every machine and in every build.
     pub fn hash(&self) -> u64 {
         let mut hash = Xxh3::new();
-        self.hero.hash_into(&mut hash);
-        let won = self.won_at.unwrap_or(-1.0);
-        for word in [
-            self.tick,
-            self.seed,
-            u64::from(self.deaths),
-            u64::from(self.retry),
-            self.facing.to_bits(),
-            won.to_bits(),
-        ] {
-            hash.update(&word.to_le_bytes());
+        for actor in &self.state.actors {
+            actor.body.hash_into(&mut hash);
         }
+        self.state.hash_into(&mut hash);
         hash.digest()
     }
 
     /// Ticks done.
     pub fn tick(&self) -> u64 {
-        self.tick
+        self.state.tick
     }
 
     /// Ticks a second.
     pub fn tick_rate(&self) -> u32 {
-        self.rate
+        self.state.rate
     }
 
     /// Simulated seconds: the tick's number over the rate, rounded once.
     pub fn time(&self) -> f64 {
-        self.tick as f64 / f64::from(self.rate)
+        self.state.tick as f64 / f64::from(self.state.rate)
     }
 
     /// The level with its meshes.
@@ -183,23 +268,44 @@ impl World {
 
     /// The hero's body.
     pub fn hero(&self) -> &Body {
-        &self.hero
+        &self.state.actors[HERO].body
     }
 
-    /// The mesh that the hero moves in now.
+    /// All bodies, the hero first.
+    pub fn bodies(&self) -> impl ExactSizeIterator<Item = &Body> {
+        self.state.actors.iter().map(|actor| &actor.body)
+    }
+
+    /// The ground that a body moves in.
+    pub fn land(&self, body: usize) -> &Land {
+        &self.lands[self.state.actors[body].shape]
+    }
+
+    /// How far each mover is from where it was drawn, m.
+    pub fn offsets(&self) -> impl ExactSizeIterator<Item = DVec2> {
+        let time = self.time();
+        let offset = move |mover: &crate::motion::Mover| mover.piece_at(time).offset(time);
+        self.lands[HERO].movers.iter().map(offset)
+    }
+
+    /// The mesh of the level that the hero moves in now.
     pub fn mesh(&self) -> &Mesh {
-        self.stage.terrain(&self.tuning).mesh(self.hero.size())
+        let land = &self.lands[HERO];
+        match self.hero().size() {
+            Size::Stand => &land.stand.level,
+            Size::Crouch => &land.crouch.level,
+        }
     }
 
-    /// What happened in the last tick.
+    /// What happened to the hero in the last tick.
     pub fn trace(&self) -> &Trace {
-        &self.trace
+        &self.traces[HERO]
     }
-}
 
-fn at_start(stage: &Stage, time: f64, tuning: &Motion) -> Body {
-    Body::spawn(stage.level.start, time, &stage.terrain(tuning))
-        .expect("the stage was built with a free start")
+    /// What happened to a body in the last tick.
+    pub fn trace_of(&self, body: usize) -> &Trace {
+        &self.traces[body]
+    }
 }
 
 impl Input {
@@ -209,7 +315,7 @@ impl Input {
             run: f64::from(self.run.max(-127)) / 127.0,
             jump: self.jump,
             down: self.down,
-            up: false,
+            up: self.up,
         }
     }
 }
@@ -225,6 +331,7 @@ impl View {
             stance: Stance::Air,
             crouched: false,
             facing: 1.0,
+            material: None,
             left_at: 0.0,
             landed_at: 0.0,
             landed_speed: 0.0,

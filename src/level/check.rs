@@ -40,6 +40,16 @@ pub fn check(level: &Level) -> Result<(), Flaw> {
         .try_for_each(|(index, scenery)| check_scenery(index, scenery))
 }
 
+/// Checks a feature that is to stand still in a level; not whether its id is free.
+///
+/// # Errors
+/// The first rule that is broken, and where.
+pub fn check_feature(feature: &Feature) -> Result<(), Flaw> {
+    let entity = Entity::Feature(0, feature.id.clone());
+    require(is_name(&feature.id), &entity, "id", || NAME_RULE.into())?;
+    check_body(feature, &entity)
+}
+
 fn check_version(level: &Level) -> Result<(), Flaw> {
     let message = || {
         format!(

@@ -12,7 +12,7 @@ mod file;
 mod marks;
 mod mover;
 
-pub use check::{COORDINATE_LIMIT, CORNER_LIMIT, check};
+pub use check::{COORDINATE_LIMIT, CORNER_LIMIT, check, check_feature};
 pub use error::{Entity, Flaw, LevelError};
 pub use feature::{By, Concave, Feature, Kind, Material};
 pub use file::{check_writable, load, parse, read, save, without_mark, write_atomically};

@@ -181,6 +181,7 @@ impl Controls {
             run: self.run(),
             jump: self.jump.take(jump),
             down: self.holds(Held::Down) || self.pads.down(),
+            up: self.holds(Held::Up) || self.pads.up(),
             retry: std::mem::take(&mut self.retry),
         }
     }

@@ -8,8 +8,8 @@ use sdl2::event::Event;
 /// Share of a stick's way that counts as its middle, and from which it counts as fully pushed.
 const DEAD_ZONE: f64 = 0.25;
 const FULL: f64 = 0.95;
-/// How far down the stick must be to crouch: clearly more than by running carelessly.
-const CROUCH: f64 = 0.6;
+/// How far up or down the stick must be to climb or crouch: clearly more than by running carelessly.
+const TILT: f64 = 0.6;
 
 /// One connected controller. Its handle must live as long as it shall be heard.
 struct Pad {
@@ -147,7 +147,12 @@ impl Pads {
     pub fn down(&self) -> bool {
         self.holds(Button::DPadDown)
             || self.holds(Button::B)
-            || self.0.iter().any(|pad| pad.stick[1] > CROUCH)
+            || self.0.iter().any(|pad| pad.stick[1] > TILT)
+    }
+
+    /// Up is held on one of them.
+    pub fn up(&self) -> bool {
+        self.holds(Button::DPadUp) || self.0.iter().any(|pad| pad.stick[1] < -TILT)
     }
 
     /// The wished run of the one that wishes most.

@@ -64,9 +64,9 @@ impl App {
     pub(super) fn show_stage(&mut self) {
         let stage = self.play.world.stage();
         self.renderer.set_stage(stage);
-        let features = stage.level.features.len();
+        let land = self.play.world.land(0);
         self.mesh_pictures =
-            [&stage.stand, &stage.crouch].map(|mesh| MeshPicture::new(mesh, features));
+            [&land.stand, &land.crouch].map(|meshes| MeshPicture::new(&meshes.level));
     }
 
     /// The mesh that the hero moves in now.

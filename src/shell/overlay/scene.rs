@@ -63,7 +63,7 @@ enum Kind {
 
 impl MeshPicture {
     /// All of a mesh; edges in the order in which they are drawn, the blocking ones last and so on top.
-    pub fn new(mesh: &Mesh, features: usize) -> MeshPicture {
+    pub fn new(mesh: &Mesh) -> MeshPicture {
         let mut picture = MeshPicture::default();
         for face in mesh.faces() {
             if mesh.is_solid(face) {
@@ -85,7 +85,7 @@ impl MeshPicture {
             edges,
             faces,
             solid: picture.solid.len(),
-            features,
+            features: mesh.features().count(),
         };
         picture
     }

@@ -4,6 +4,7 @@ use super::frame::PointLight;
 use super::model::{Model, VERTEX_WORDS};
 use super::{backdrop, scenery, terrain, water};
 use crate::game::Stage;
+use crate::geom::Collider;
 use glam::{Vec2, Vec3};
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -45,10 +46,8 @@ impl Scene {
     /// Builds the scene of a stage.
     pub fn of(stage: &Stage) -> Scene {
         let corners = stage
-            .level
-            .features
-            .iter()
-            .flat_map(|feature| &feature.outline)
+            .features()
+            .flat_map(|(_, feature)| &feature.outline)
             .map(|p| p.as_vec2());
         let start = stage.level.start.as_vec2();
         let (min, max) = corners.fold((start, start), |(min, max), p: Vec2| {
@@ -64,7 +63,11 @@ impl Scene {
             water_words,
             ..Scene::default()
         };
-        scene.add(&terrain::build(&terrain::solids(stage)), NEAR_CHUNK);
+        let outlines = stage
+            .meshes(&Collider::point())
+            .expect("the stage was built with the mesh of its outlines");
+        let solids = terrain::solids(&outlines.level, stage);
+        scene.add(&terrain::build(&solids), NEAR_CHUNK);
         scene.add(&things, NEAR_CHUNK);
         scene.add(&backdrop::build(min, max, water), FAR_CHUNK);
         scene

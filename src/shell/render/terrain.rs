@@ -10,6 +10,7 @@ use super::model::{Model, Paint, hash, paint};
 use crate::game::Stage;
 use crate::geom::Point;
 use crate::level::Material;
+use crate::mesh::{Kind, Mesh};
 use glam::{DVec2, Vec3};
 
 /// Depth of the fronts, and of the rim around them, in metres.
@@ -65,28 +66,17 @@ fn palette(material: Material) -> Palette {
     }
 }
 
-/// The solid faces of a stage with what the last feature that covers them is made of.
-pub fn solids(stage: &Stage) -> Vec<([Point; 3], Material)> {
-    let features = &stage.level.features;
+/// The solid faces of a mesh of outlines with what the last solid that covers them is made of.
+pub fn solids(mesh: &Mesh, stage: &Stage) -> Vec<([Point; 3], Material)> {
     let material = |face| {
-        stage
-            .outline
-            .cover(face)
-            .iter()
-            .rev()
-            .find_map(|&id| features.get(id as usize))
+        let mut covers = mesh.cover(face).iter().rev();
+        let solid = covers.find(|&&id| mesh.kind_of(id) == Some(Kind::Solid));
+        let feature = solid.and_then(|&id| stage.feature(id));
+        feature.map_or(Material::Rock, |feature| feature.material)
     };
-    let solid = stage
-        .outline
-        .faces()
-        .filter(|&face| stage.outline.is_solid(face));
+    let solid = mesh.faces().filter(|&face| mesh.is_solid(face));
     solid
-        .map(|face| {
-            (
-                stage.outline.corners(face),
-                material(face).map_or(Material::Rock, |feature| feature.material),
-            )
-        })
+        .map(|face| (mesh.corners(face), material(face)))
         .collect()
 }
 

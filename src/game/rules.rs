@@ -1,0 +1,190 @@
+//! What events mean: hazards and crushers kill, checkpoints and goals are noted, triggers set movers going.
+//!
+//! All of it happens at the event's own time. Where an event changes the world for what follows in the same tick, the tick
+//! is taken back to its beginning, run up to the event, and goes on from there: bodies are plain values, and where
+//! a tick is cut changes no bit.
+
+use super::Input;
+use super::world::{HERO, World};
+use crate::level::Kind;
+use crate::mesh::FeatureId;
+use crate::motion::{Body, Event, EventKind, Trace};
+use std::sync::Arc;
+
+/// How often a tick may be cut. Only a hero who dies as soon as he comes back needs more; he dies again in the next.
+const CUTS: usize = 16;
+
+/// An event that changes the world for what follows it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Turn {
+    /// The hero dies.
+    Death,
+    /// Somebody has entered a trigger that movers wait for.
+    Start(FeatureId),
+}
+
+impl World {
+    /// Moves all bodies to a time, with all that their events entail.
+    pub(super) fn run(&mut self, to: f64) {
+        for _ in 0..CUTS {
+            let (actors, traces) = (self.state.actors.clone(), self.traces.clone());
+            let seen: Vec<usize> = traces.iter().map(|trace| trace.events.len()).collect();
+            self.advance(to);
+            let Some((at, _)) = self.first_turn(&seen) else {
+                return self.note_places(seen[HERO]);
+            };
+            (self.state.actors, self.traces) = (actors, traces);
+            self.advance(at);
+            self.note_places(seen[HERO]);
+            self.take_turns(at, &seen);
+        }
+        let seen: Vec<usize> = self.traces.iter().map(|trace| trace.events.len()).collect();
+        self.advance(to);
+        self.note_places(seen[HERO]);
+        self.state.doomed |= matches!(self.first_turn(&seen), Some((_, Turn::Death)));
+    }
+
+    fn advance(&mut self, to: f64) {
+        self.each(|body, terrain, trace| body.advance(to, terrain, trace));
+    }
+
+    /// The turns among the events after those that were seen, with their times: body by body.
+    fn turns(&self, seen: &[usize]) -> Vec<(f64, Turn)> {
+        let mut found = Vec::new();
+        for (body, (trace, &seen)) in self.traces.iter().zip(seen).enumerate() {
+            let turn = |event: &Event| Some((event.time, self.turn(body, event.kind)?));
+            found.extend(trace.events[seen..].iter().filter_map(turn));
+        }
+        found
+    }
+
+    fn turn(&self, body: usize, kind: EventKind) -> Option<Turn> {
+        match kind {
+            EventKind::Crushed if body == HERO => Some(Turn::Death),
+            EventKind::Entered(id) => match self.stage.feature(id)?.kind {
+                Kind::Hazard if body == HERO => Some(Turn::Death),
+                Kind::Trigger if self.waits_for(id) => Some(Turn::Start(id)),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+
+    fn first_turn(&self, seen: &[usize]) -> Option<(f64, Turn)> {
+        let turns = self.turns(seen);
+        turns.into_iter().min_by(|a, b| a.0.total_cmp(&b.0))
+    }
+
+    /// Whether some mover waits for a trigger.
+    fn waits_for(&self, trigger: FeatureId) -> bool {
+        let waits = |(i, start): (usize, &Option<f64>)| {
+            start.is_none() && self.stage.trigger(i) == Some(trigger)
+        };
+        self.state.starts.iter().enumerate().any(waits)
+    }
+
+    /// All that is due at a time, which is now.
+    fn take_turns(&mut self, at: f64, seen: &[usize]) {
+        let turns = self.turns(seen);
+        for (_, turn) in &turns {
+            if let Turn::Start(trigger) = turn {
+                self.start_movers(*trigger, at);
+            }
+        }
+        if turns.iter().any(|(_, turn)| *turn == Turn::Death) {
+            self.die(at);
+        }
+    }
+
+    /// Sets going what waits for a trigger, for all bodies.
+    fn start_movers(&mut self, trigger: FeatureId, at: f64) {
+        for (i, start) in self.state.starts.iter_mut().enumerate() {
+            if start.is_none() && self.stage.trigger(i) == Some(trigger) {
+                *start = Some(at);
+            }
+        }
+        self.look_again();
+    }
+
+    /// Brings the starts of the movers to all shapes; bodies find their next event anew.
+    fn look_again(&mut self) {
+        let mut anchors = Vec::new();
+        self.each(|body, terrain, _| anchors.push(body.anchor(terrain)));
+        for land in Arc::make_mut(&mut self.lands) {
+            self.state.start_movers(land);
+        }
+        let mut anchors = anchors.iter();
+        self.each(|body, terrain, trace| {
+            let anchor = anchors.next().expect("every body has its anchor");
+            body.rehome(anchor, terrain, trace);
+        });
+    }
+
+    /// Checkpoints and goals that the hero has entered, in the events after those that were seen.
+    fn note_places(&mut self, seen: usize) {
+        for event in &self.traces[HERO].events[seen..] {
+            let EventKind::Entered(id) = event.kind else {
+                continue;
+            };
+            match self.stage.feature(id).map(|feature| feature.kind) {
+                Some(Kind::Checkpoint) => self.state.checkpoint = Some(id),
+                Some(Kind::Goal) if self.state.won_at.is_none() => {
+                    self.state.won_at = Some(event.time);
+                }
+                _ => {}
+            }
+        }
+    }
+
+    /// The hero dies, and comes back at the last checkpoint.
+    pub(super) fn die(&mut self, at: f64) {
+        self.state.deaths += 1;
+        self.come_back(at);
+    }
+
+    /// Back to the start of the level; checkpoints are forgotten, and what waited for a trigger waits again.
+    pub(super) fn restart(&mut self) {
+        self.state.checkpoint = None;
+        for (i, start) in self.state.starts.iter_mut().enumerate() {
+            if self.stage.trigger(i).is_some() {
+                *start = None;
+            }
+        }
+        self.look_again();
+        self.come_back(self.time());
+    }
+
+    /// Puts the hero at the last checkpoint, or if that is not free at the start. If an edit has closed that too, he stays.
+    fn come_back(&mut self, at: f64) {
+        let checkpoint = self.state.checkpoint.and_then(|id| self.stage.feature(id));
+        let places = [
+            checkpoint.and_then(|feature| feature.respawn),
+            Some(self.stage.level.start),
+        ];
+        let terrain = self.lands[HERO].terrain(&self.stage, &self.state.tuning);
+        let spawn = |place| Body::spawn(place, at, &terrain).ok();
+        if let Some(body) = places.into_iter().flatten().find_map(spawn) {
+            self.state.actors[HERO].body = body;
+        }
+        self.state.doomed = false;
+        self.state.won_at = None;
+    }
+
+    /// What pictures and sounds need of the tick's events.
+    pub(super) fn note_events(&mut self, input: Input) {
+        let state = &mut self.state;
+        if input.run != 0 {
+            state.facing = f64::from(input.run.signum());
+        }
+        let Trace { events, .. } = &self.traces[HERO];
+        for Event { time, kind } in events {
+            match *kind {
+                EventKind::Landed(speed) => (state.landed_at, state.landed_speed) = (*time, speed),
+                EventKind::Jumped | EventKind::WallJumped | EventKind::Left => {
+                    state.left_at = *time;
+                }
+                _ => {}
+            }
+        }
+    }
+}
