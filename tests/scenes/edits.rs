@@ -1,7 +1,8 @@
 //! Edits of the level under a body: scenes 61 to 63, and what belongs to them.
 
 use super::rig::*;
-use edgewalker::geom::{Collider, Point, expand};
+use crate::worlds::{Dice, star};
+use edgewalker::geom::{Collider, Point, STEP, expand};
 use edgewalker::mesh::{FeatureId, Mesh};
 use edgewalker::motion::{Body, Control, EventKind, Mode, Terrain, Trace, check::check};
 use edgewalker::tune::Motion;
@@ -292,4 +293,96 @@ fn ground_that_is_cut_elsewhere_under_a_walker_changes_no_bit() {
         site.advance(0.5);
         assert_eq!(site.body().hash(), twin.hash());
     });
+}
+
+/// A random polygon near the middle of the world.
+fn litter(dice: &mut Dice) -> Vec<Point> {
+    let at = v(dice.between(-8.0, 8.0), dice.between(-6.0, 6.0));
+    let n = 3 + dice.below(4) as usize;
+    let (near, far) = (dice.between(0.3, 1.0), dice.between(1.0, 3.0));
+    let outline = star(dice, at, n, near, far);
+    outline.iter().map(|&p| Point::snap(p).unwrap()).collect()
+}
+
+/// Solids come and go all over a level in which a hero runs about: every invariant holds after every edit, and only who is
+/// inside a new solid is moved, by as much as the event says.
+fn soak(seed: u64, edits: u32) -> [u32; 2] {
+    let mut dice = Dice::new(seed);
+    let colliders = [Collider::hero(), Collider::hero_crouched()];
+    let floor =
+        [(-12, -9), (12, -9), (12, -7), (-12, -7)].map(|(x, y)| Point::new(x << 16, y << 16));
+    let mut meshes = colliders
+        .each_ref()
+        .map(|c| Mesh::build(&[expand(&floor, c)]).unwrap());
+    let mut present: Vec<FeatureId> = Vec::new();
+    let tuning = Motion::default();
+    let mut body: Option<Body> = None;
+    let mut counts = [0, 0];
+    let mut time = 0.0;
+    for edit in 1..=edits {
+        let anchor = body
+            .as_ref()
+            .map(|b| b.anchor(&Terrain::new(&meshes[0], &meshes[1], &tuning)));
+        if present.len() > 12 || !present.is_empty() && dice.below(2) == 0 {
+            let id = present.swap_remove(dice.below(present.len() as u32) as usize);
+            meshes.iter_mut().for_each(|mesh| mesh.remove(id).unwrap());
+        } else {
+            let outline = litter(&mut dice);
+            for (mesh, collider) in meshes.iter_mut().zip(&colliders) {
+                mesh.insert(edit, &expand(&outline, collider)).unwrap();
+            }
+            present.push(edit);
+        }
+        let terrain = Terrain::new(&meshes[0], &meshes[1], &tuning);
+        let mut trace = Trace::default();
+        if let (Some(body), Some(anchor)) = (&mut body, &anchor) {
+            let before = body.position();
+            body.rehome(anchor, &terrain, &mut trace);
+            let moved = (body.position() - before).length();
+            let told = trace.events.iter().find_map(|e| match e.kind {
+                EventKind::Embedded(depth) => Some(depth),
+                _ => None,
+            });
+            counts[0] += u32::from(told.is_some());
+            counts[1] += u32::from(!trace.events.is_empty());
+            let allowed = told.unwrap_or(2.0 * STEP) + 1e-12;
+            assert!(
+                moved <= allowed,
+                "seed {seed}, edit {edit}: moved by {moved}, told {told:?}"
+            );
+            check(body, &terrain, &trace)
+                .unwrap_or_else(|e| panic!("seed {seed}, edit {edit}: {e}"));
+        }
+        if body.as_ref().is_none_or(|b| b.position().y < -50.0) {
+            let at = v(dice.between(-8.0, 8.0), dice.between(-6.0, 8.0));
+            body = Body::spawn(at, time, &terrain).ok();
+        }
+        let Some(body) = &mut body else { continue };
+        for _ in 0..dice.below(20) {
+            trace.clear();
+            let control = Control {
+                run: f64::from(dice.below(3) - 1),
+                jump: dice.below(2) == 0,
+                down: dice.below(4) == 0,
+                ..Control::default()
+            };
+            if dice.below(5) == 0 {
+                body.apply(control, &terrain, &mut trace);
+            }
+            time += 1.0 / 64.0;
+            body.advance(time, &terrain, &mut trace);
+            check(body, &terrain, &trace)
+                .unwrap_or_else(|e| panic!("seed {seed}, after edit {edit}: {e}"));
+        }
+    }
+    counts
+}
+
+#[test]
+fn solids_that_come_and_go_leave_every_body_in_a_valid_place() {
+    let worlds = std::env::var("EDIT_WORLDS").map_or(60, |n| n.parse().expect("a number"));
+    let counts = (0..worlds).map(|seed| soak(seed, 200));
+    let [embedded, told] = counts.fold([0, 0], |[a, b], [c, d]| [a + c, b + d]);
+    println!("{embedded} times embedded, {told} edits told");
+    assert!(embedded > 100 && told > embedded, "{embedded}, {told}");
 }
