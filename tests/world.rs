@@ -204,7 +204,7 @@ struct Chaos(Pcg64Mcg, Input);
 impl Chaos {
     fn step(&mut self, world: &mut World, tick: u32) {
         let dice = &mut self.0;
-        if dice.next_u32() % 6 == 0 {
+        if dice.next_u32().is_multiple_of(6) {
             let word = dice.next_u32();
             self.1 = Input {
                 run: [-127, -40, 0, 90, 127][(word % 5) as usize],
