@@ -1,5 +1,6 @@
 //! Numbers only: points on the grid, exact predicates, polygons and their Minkowski sums.
 
+pub mod distance;
 pub mod grid;
 pub mod minkowski;
 pub mod one_way;

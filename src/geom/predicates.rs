@@ -54,12 +54,31 @@ pub fn in_circle(a: Point, b: Point, c: Point, d: Point) -> i128 {
 /// and for zero (adaptive precision after Shewchuk 1997, by the `robust` crate).
 #[inline]
 pub fn side(a: Point, b: Point, p: DVec2) -> Ordering {
-    let coord = |p: Point| robust::Coord {
+    side_value(a, b, p)
+        .partial_cmp(&0.0)
+        .unwrap_or(Ordering::Equal)
+}
+
+/// Twice the signed area of the triangle a, b, p, in square steps, with the exact sign; the value is rounded.
+#[inline]
+pub fn side_value(a: Point, b: Point, p: DVec2) -> f64 {
+    robust::orient2d(coord(a), coord(b), robust::Coord { x: p.x, y: p.y })
+}
+
+/// On which side of the directed line between two positions, in steps, a grid point lies (`Greater` is left). Exact as
+/// [`side`] is.
+#[inline]
+pub fn line_side(from: DVec2, to: DVec2, p: Point) -> Ordering {
+    let at = |p: DVec2| robust::Coord { x: p.x, y: p.y };
+    let sign = robust::orient2d(at(from), at(to), coord(p));
+    sign.partial_cmp(&0.0).unwrap_or(Ordering::Equal)
+}
+
+fn coord(p: Point) -> robust::Coord<f64> {
+    robust::Coord {
         x: f64::from(p.x),
         y: f64::from(p.y),
-    };
-    let sign = robust::orient2d(coord(a), coord(b), robust::Coord { x: p.x, y: p.y });
-    sign.partial_cmp(&0.0).unwrap_or(Ordering::Equal)
+    }
 }
 
 /// A position in metres, converted to grid steps; exact, since a step is a power of two.

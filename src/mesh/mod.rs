@@ -5,6 +5,9 @@
 //! triangulation  chains -> triangles                   legal, with ties broken by rule
 //! uses, cover    which features run along an edge, which lie around a face
 //! walk           where is a position
+//! sweep, cast    what a straight line passes, and what stops it
+//! query          nearest wall, overlap, free neighbours
+//! surfaces       chains of ground, and which are next to which
 //! check, hash    every invariant as a function; equal meshes have equal hashes
 //! ```
 //!
@@ -12,6 +15,7 @@
 //! of [`Mesh::insert`] and [`Mesh::remove`], gives the same hash.
 
 mod buckets;
+mod cast;
 mod check;
 mod cover;
 mod covering;
@@ -19,7 +23,10 @@ mod edit;
 mod enforce;
 mod hash;
 mod hilbert;
+mod query;
 mod snap;
+mod surfaces;
+mod sweep;
 mod topology;
 mod triangulation;
 mod uses;
@@ -32,6 +39,10 @@ use std::collections::BTreeMap;
 use std::fmt;
 
 pub use crate::geom::{ExpandedEdge, Source};
+pub use cast::{Cast, Hit};
+pub use query::{Nearest, Overlap};
+pub use surfaces::{Surface, Surfaces};
+pub use sweep::{Pass, Sweep};
 
 /// Index of a feature in the list the mesh was built from.
 pub type FeatureId = u32;
@@ -255,6 +266,16 @@ impl Mesh {
     #[inline]
     pub fn vertex_edge(&self, v: VertexId) -> EdgeId {
         EdgeId(self.topology().vertex_edge(v.0))
+    }
+
+    /// All edges that start at a vertex, counter-clockwise.
+    pub fn spokes(&self, v: VertexId) -> impl Iterator<Item = EdgeId> + '_ {
+        self.spokes_from(self.vertex_edge(v))
+    }
+
+    /// All edges that start where one does, counter-clockwise, beginning with that one.
+    pub fn spokes_from(&self, first: EdgeId) -> impl Iterator<Item = EdgeId> + '_ {
+        self.topology().ring_from(first.0).map(EdgeId)
     }
 
     /// The edge from one vertex to another, if there is one.

@@ -109,6 +109,19 @@ pub fn grid(dice: &mut Dice, n: usize) -> Vec<Outline> {
         .collect()
 }
 
+/// A family by name: worlds of some size by the dice.
+pub type Family = (&'static str, fn(&mut Dice, usize) -> Vec<Outline>);
+
+/// All families.
+pub fn families() -> [Family; 4] {
+    [
+        ("sparse", sparse),
+        ("random", random),
+        ("slopes", slopes),
+        ("grid", grid),
+    ]
+}
+
 /// Moves a world and turns it by an angle in radians.
 pub fn placed(world: &[Outline], offset: DVec2, angle: f64) -> Vec<Outline> {
     let turn = DVec2::from_angle(angle);
