@@ -1,0 +1,129 @@
+//! One life: ticks with inputs and edits, every invariant after each of them.
+
+use super::case::{Case, Edit, Life, Ready};
+use super::invariants::{outside, tick};
+use super::tally::Tally;
+use edgewalker::geom::Point;
+use edgewalker::mesh::FeatureId;
+use edgewalker::motion::{Body, EventKind, Mode, Trace, check::check};
+use edgewalker::tune::Motion;
+use glam::DVec2;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+/// Which invariant did not hold, and at which tick of the life.
+#[derive(Clone, Debug)]
+pub struct Failure {
+    pub tick: u64,
+    pub what: String,
+}
+
+impl Failure {
+    /// The invariant's name, by which failures are told apart.
+    pub fn class(&self) -> &str {
+        self.what.split(':').next().unwrap_or("")
+    }
+}
+
+/// A body below this has fallen out, m.
+const BOTTOM: f64 = -60.0;
+
+/// Ticks for which a crushed body is watched: it must not move any more.
+const MOURNING: u64 = 5;
+
+/// Lives a life in the meshes of its world, which may be changed by its edits.
+pub fn live(case: &Case, ready: &mut Ready, tally: &mut Tally) -> Result<(), Failure> {
+    let mut tick = 0;
+    // A panic is a failure like any other, which can be cut down.
+    let lived = catch_unwind(AssertUnwindSafe(|| ticks(case, ready, tally, &mut tick)));
+    let what = match lived {
+        Ok(Ok(())) => return Ok(()),
+        Ok(Err(what)) => what,
+        Err(panic) => {
+            let text = panic.downcast_ref::<String>().map(String::as_str);
+            let text = text.or(panic.downcast_ref::<&str>().copied());
+            format!("panic: {}", text.unwrap_or("of another kind"))
+        }
+    };
+    Err(Failure { tick, what })
+}
+
+fn ticks(case: &Case, ready: &mut Ready, tally: &mut Tally, n: &mut u64) -> Result<(), String> {
+    let (world, life) = (&case.world, &case.life);
+    let time = |n: u64| (life.since + n) as f64 / world.rate;
+    let Some(mut body) = born(ready, &world.tuning, life.start, time(0)) else {
+        return Ok(());
+    };
+    tally.begin();
+    let (mut trace, mut dead) = (Trace::default(), 0);
+    let (mut inputs, mut edits) = (life.inputs.iter().peekable(), life.edits.iter().peekable());
+    while *n < life.ticks && body.position().y > BOTTOM && dead < MOURNING {
+        *n += 1;
+        trace.clear();
+        while let Some((_, edit)) = edits.next_if(|e| e.0 <= *n) {
+            change(ready, &world.tuning, &mut body, edit, &mut trace);
+        }
+        let terrain = ready.terrain(&world.tuning);
+        while let Some(&(_, control)) = inputs.next_if(|i| i.0 <= *n) {
+            body.apply(control, &terrain, &mut trace);
+        }
+        let context =
+            |e: String, body: &Body| format!("{e}\n    at {} in {:?}", body.position(), body);
+        tick(&mut body, time(*n), &terrain, &mut trace).map_err(|e| context(e, &body))?;
+        tally.note(&body, &trace);
+        if trace.events.iter().any(|e| e.kind == EventKind::Stuck) {
+            let cycle: Vec<_> = trace.events.iter().rev().take(5).collect();
+            return Err(context(format!("cycle: {cycle:?}"), &body));
+        }
+        check(&body, &terrain, &trace).map_err(|e| context(e, &body))?;
+        outside(&body, &terrain).map_err(|e| context(e, &body))?;
+        dead += u64::from(matches!(body.mode(), Mode::Crushed(_)));
+    }
+    Ok(())
+}
+
+/// A body at a free place; none if it is not free.
+pub fn born(ready: &Ready, tuning: &Motion, start: DVec2, time: f64) -> Option<Body> {
+    let terrain = ready.terrain(tuning);
+    let body = Body::spawn(start, time, &terrain).ok()?;
+    outside(&body, &terrain).is_ok().then_some(body)
+}
+
+/// An edit of the level under a body.
+pub fn change(ready: &mut Ready, tuning: &Motion, body: &mut Body, edit: &Edit, trace: &mut Trace) {
+    let anchor = body.anchor(&ready.terrain(tuning));
+    match edit {
+        Edit::Insert(feature) => ready.insert(feature),
+        Edit::InsertHere(feature) => {
+            let mut feature = feature.clone();
+            let here = Point::snap(body.position()).map_or(DVec2::ZERO, Point::metres);
+            feature.outline.iter_mut().for_each(|p| *p += here);
+            ready.insert(&feature);
+        }
+        Edit::Remove(id) => ready.remove(*id),
+        Edit::RemoveGround => {
+            if let Some(id) = ground(ready, body) {
+                ready.remove(id);
+            }
+        }
+    }
+    body.rehome(&anchor, &ready.terrain(tuning), trace);
+}
+
+/// The feature of the level that the body is on.
+fn ground(ready: &Ready, body: &Body) -> Option<FeatureId> {
+    let mesh = &ready.meshes[body.size() as usize];
+    let segment = body.segment().filter(|_| body.carrier().is_none())?;
+    Some(mesh.segment(segment).feature)
+}
+
+/// A random start for a life that is free in the world at its time.
+pub fn free_start(ready: &Ready, case: &Case, mut spot: impl FnMut() -> DVec2) -> DVec2 {
+    let Life { since, .. } = case.life;
+    let time = since as f64 / case.world.rate;
+    loop {
+        let at = spot();
+        if born(ready, &case.world.tuning, at, time).is_some() {
+            return at;
+        }
+    }
+}
