@@ -31,8 +31,19 @@ const TRANSITIONS: &[(&str, &str)] = &[
 
 /// Events for which the same holds: all but `Stuck`, which must not occur.
 const EVENTS: &[&str] = &[
-    "Embedded", "Hit", "Joint", "Jumped", "Landed", "Left", "Limit", "Parted", "Resized",
-    "Stopped", "Wedged",
+    "Embedded",
+    "Hit",
+    "Joint",
+    "Jumped",
+    "Landed",
+    "Left",
+    "Limit",
+    "Parted",
+    "Resized",
+    "Stopped",
+    "Unlocked",
+    "WallJumped",
+    "Wedged",
 ];
 
 /// What occurs less than once in so many ticks is too rare to be tested.
