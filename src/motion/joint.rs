@@ -1,7 +1,8 @@
 //! Joints: where a surface turns into another one, turns away from the body, or ends.
 
-use super::body::{Body, EventKind, Mode, Surface, Trace};
-use super::terrain::{Ground, Terrain};
+use super::body::{Body, EventKind, Mode, Size, Surface, Trace};
+use super::footing::Footing;
+use super::terrain::{Concave, Ground, Terrain};
 use super::track::{Track, cross, dot, walkable};
 use super::vertex::{
     Bearing, Heading, JOINT_STEPS, Sector, ahead, behind, bridge, is_lip, sector, segment_at,
@@ -13,41 +14,68 @@ use crate::tune::Motion;
 use glam::DVec2;
 
 /// The joint that a body has come to: how it came, and what is next.
-struct Joint {
+pub(super) struct Joint {
     /// Speed, not negative.
-    speed: f64,
+    pub(super) speed: f64,
     /// Sign of the parameter's change so far.
-    sign: f64,
-    heading: Heading,
+    pub(super) sign: f64,
+    pub(super) heading: Heading,
     /// The feature edge so far, and its road.
-    segment: SegmentId,
-    track: Track,
+    pub(super) segment: SegmentId,
+    pub(super) track: Track,
     /// Exact direction of the motion so far.
-    before: (i64, i64),
+    pub(super) before: (i64, i64),
     /// The next edge of the surface.
-    next: EdgeId,
+    pub(super) next: EdgeId,
 }
 
 /// A way on from a joint.
-struct Onward {
-    edge: EdgeId,
-    segment: SegmentId,
-    track: Track,
+pub(super) struct Onward {
+    pub(super) edge: EdgeId,
+    pub(super) segment: SegmentId,
+    pub(super) track: Track,
     /// Sign of the parameter's change there.
-    sign: f64,
+    pub(super) sign: f64,
     /// Exact direction of the motion there.
-    after: (i64, i64),
+    pub(super) after: (i64, i64),
     /// The parameter there at which it starts.
-    start: f64,
+    pub(super) start: f64,
     /// The surface turns towards the body.
-    towards: bool,
+    pub(super) towards: bool,
     /// Cosine of the turn.
-    cosine: f64,
+    pub(super) cosine: f64,
 }
 
 impl Joint {
+    /// The joint ahead of a body that comes to it with a speed.
+    fn ahead(on: &Surface, sign: f64, speed: f64, mesh: Ground) -> Joint {
+        let heading = on.heading(sign);
+        Joint {
+            speed,
+            sign,
+            heading,
+            segment: on.segment,
+            track: on.track,
+            before: on.track.heading(sign),
+            next: surface_next(mesh, on.edge, heading),
+        }
+    }
+
+    /// 1 or -1 as the motion so far goes towards growing or falling x.
+    pub(super) fn forward(&self) -> f64 {
+        self.before.0.signum() as f64
+    }
+
+    /// The edge out of the vertex of the joint that has a free face beside the surface on its left; `onward` begins there.
+    pub(super) fn spoke(&self, onward: EdgeId, mesh: Ground) -> EdgeId {
+        match self.heading {
+            Heading::Along => onward,
+            Heading::Against => mesh.lnext(onward),
+        }
+    }
+
     /// The way on along an edge of the surface, as part of a feature edge.
-    fn onto(&self, mesh: Ground, edge: EdgeId, segment: SegmentId) -> Onward {
+    pub(super) fn onto(&self, mesh: Ground, edge: EdgeId, segment: SegmentId) -> Onward {
         let track = Track::of(mesh.segment(segment));
         let grows = (self.heading == Heading::Along) == track.leftward_free;
         let sign = if grows { 1.0 } else { -1.0 };
@@ -122,19 +150,15 @@ impl Body {
         let same_line =
             |s: SegmentId| s == on.segment || Track::of(mesh.segment(s)).same_line(&on.track);
         let segment = segment_at(mesh, next, terrain.tuning.max_slope, same_line);
-        if let Some(s) = segment.filter(|&s| same_line(s)) {
+        let alike = |s: SegmentId| {
+            let [from, to] = [on.segment, s].map(|s| mesh.segment(s).feature);
+            !on.walkable || terrain.alike(from, to)
+        };
+        if let Some(s) = segment.filter(|&s| same_line(s) && alike(s)) {
             (on.edge, on.segment, on.since) = (next, s, (now - on.t0).max(on.since));
             return true;
         }
-        let joint = Joint {
-            speed: on.speed(now).abs(),
-            sign,
-            heading,
-            segment: on.segment,
-            track: on.track,
-            before: on.track.heading(sign),
-            next,
-        };
+        let joint = Joint::ahead(on, sign, on.speed(now).abs(), mesh);
         let walks = on.walkable;
         let onward = segment.map(|s| joint.onto(mesh, next, s));
         match walks {
@@ -154,18 +178,15 @@ impl Body {
     ) -> bool {
         let mesh = self.ground(terrain);
         let t = terrain.tuning;
-        let next = onward.as_ref().map(|on| (on.edge, on.segment));
-        let next = next.filter(|&(_, s)| walkable(mesh.segment(s), t.max_slope));
-        let ground = match next {
-            Some((_, s)) if !is_lip(mesh.segment(s)) => next,
-            _ => bridge(mesh, joint.next, joint.heading, t.max_slope).or(next),
-        };
-        if let Some((edge, s)) = ground {
-            let onward = joint.onto(mesh, edge, s);
-            return self.walk_on(joint, onward, terrain, trace);
+        if let Some(ground) = self.ground_ahead(&joint, onward.as_ref(), terrain) {
+            return self.walk_on(joint, ground, terrain, trace);
         }
         match onward {
-            Some(on) if !on.towards => self.leave(joint, on.edge, terrain, trace),
+            Some(on) if !on.towards => self.leave_or_snap(joint, on.edge, terrain, trace),
+            Some(on) if keeps(&joint, &on, false, mesh, terrain) && climbs(joint.speed, t) => {
+                self.bend(&on, joint.speed, terrain, trace);
+            }
+            Some(_) if self.step_up(&joint, terrain, trace) => {}
             Some(on) if climbs(joint.speed * on.cosine, t) => {
                 let up = joint.speed * on.cosine;
                 let (u, into) = (on.sign * up, joint.lost(up));
@@ -176,61 +197,125 @@ impl Body {
         false
     }
 
-    /// Round a bend from walkable ground to walkable ground. True as for [`Body::pass_vertex`].
-    fn walk_on(
-        &mut self,
-        joint: Joint,
-        onward: Onward,
+    /// The walkable ground beyond a joint, if the surface, or a lip that rounding has left, leads onto some.
+    fn ground_ahead(
+        &self,
+        joint: &Joint,
+        onward: Option<&Onward>,
         terrain: &Terrain,
-        trace: &mut Trace,
-    ) -> bool {
+    ) -> Option<Onward> {
+        let mesh = self.ground(terrain);
+        let steepest = terrain.tuning.max_slope;
+        let next = onward.map(|on| (on.edge, on.segment));
+        let next = next.filter(|&(_, s)| walkable(mesh.segment(s), steepest));
+        let (edge, s) = match next {
+            Some((_, s)) if !is_lip(mesh.segment(s)) => next,
+            _ => bridge(mesh, joint.next, joint.heading, steepest).or(next),
+        }?;
+        Some(joint.onto(mesh, edge, s))
+    }
+
+    /// One who stands against something and is driven towards it looks again what it is: with another wish he may step up
+    /// onto it, or leave the vertex where two belts have held him. True if he has gone on.
+    pub(super) fn press_on(&mut self, terrain: &Terrain, trace: &mut Trace) -> bool {
+        let mesh = self.ground(terrain);
+        let Mode::Surface(on) = &self.mode else {
+            return false;
+        };
+        if !on.walkable || on.u0 != 0.0 || on.accel * on.against <= 0.0 {
+            return false;
+        }
+        let joint = Joint::ahead(on, on.against, 0.0, mesh);
+        let onward = segment_at(mesh, joint.next, terrain.tuning.max_slope, |_| false)
+            .map(|s| joint.onto(mesh, joint.next, s));
+        match self.ground_ahead(&joint, onward.as_ref(), terrain) {
+            Some(ground) if self.is_held(&joint, &ground, terrain) => false,
+            Some(ground) => {
+                self.walk_on(joint, ground, terrain, trace);
+                true
+            }
+            None => self.step_up(&joint, terrain, trace),
+        }
+    }
+
+    /// Whether a walker comes to rest at a joint because the ground drives him back to it from either side: belts that meet,
+    /// a wish against a stronger belt, a valley. He passes it while he is faster than what drives him there; and in a valley
+    /// as long as that carries him further up than a joint may rise, so that ever smaller swings end.
+    fn is_held(&self, joint: &Joint, on: &Onward, terrain: &Terrain) -> bool {
+        let mesh = self.ground(terrain);
+        let (t, forward) = (terrain.tuning, joint.forward());
+        let crouched = self.size == Size::Crouch;
+        let [old, new] = [joint.segment, on.segment].map(|s| Footing::under(s, mesh, terrain));
+        let drive = |f: &Footing| forward * f.law(0.0, &self.control, crouched, t).accel;
+        let (push, back) = (drive(&old), drive(&new));
+        let steady = forward * old.steady(&self.control, crouched, t);
+        let joint_rise = f64::from(JOINT_STEPS) * STEP;
+        push > 0.0
+            && back < 0.0
+            && (joint.speed <= steady || joint.speed * joint.speed <= -2.0 * back * joint_rise)
+    }
+
+    /// Round a bend from walkable ground to walkable ground. True as for [`Body::pass_vertex`].
+    fn walk_on(&mut self, joint: Joint, on: Onward, terrain: &Terrain, trace: &mut Trace) -> bool {
         let mesh = self.ground(terrain);
         let t = terrain.tuning;
         let now = self.time;
-        let Onward {
-            edge,
-            segment,
-            track,
-            sign,
-            after,
-            start,
-            towards,
-            cosine,
-        } = onward;
-        let Mode::Surface(on) = &mut self.mode else {
+        let Mode::Surface(surface) = &mut self.mode else {
             return false;
         };
-        let straight = cross(joint.before, after) == 0 && dot(joint.before, after) > 0;
-        if straight && track.axis == on.track.axis {
+        let straight = cross(joint.before, on.after) == 0 && dot(joint.before, on.after) > 0;
+        let [from, to] = [joint.segment, on.segment].map(|s| mesh.segment(s).feature);
+        if straight && terrain.alike(from, to) {
             // Parallel, within the steps of a joint: the same parameter, so the piece goes on.
-            (on.edge, on.segment, on.track) = (edge, segment, track);
-            on.since = (now - on.t0).max(on.since);
+            (surface.edge, surface.segment, surface.track) = (on.edge, on.segment, on.track);
+            surface.since = (now - surface.t0).max(surface.since);
             return true;
         }
-        if !towards && !joint.holds(&onward, mesh, t) {
-            self.leave(joint, edge, terrain, trace);
+        if !on.towards && !straight && !joint.holds(&on, mesh, t) {
+            self.leave(joint, on.edge, terrain, trace);
             return false;
         }
-        let kept = if towards && t.concave == 1.0 {
-            cosine.max(0.0)
-        } else {
-            1.0
+        if self.is_held(&joint, &on, terrain) {
+            self.stop(joint, Some(on), trace, mesh);
+            return false;
+        }
+        let kept = match on.towards && !keeps(&joint, &on, t.concave == 0.0, mesh, terrain) {
+            true => on.cosine.max(0.0),
+            false => 1.0,
         };
-        *on = Surface {
-            t0: now,
-            s0: start,
-            u0: sign * joint.speed * kept,
+        self.bend(&on, joint.speed * kept, terrain, trace);
+        false
+    }
+
+    /// Round a bend onto another feature edge, with a speed along it.
+    fn bend(&mut self, on: &Onward, speed: f64, terrain: &Terrain, trace: &mut Trace) {
+        self.put_on(on.edge, on.segment, on.start, on.sign * speed, terrain);
+        self.log(EventKind::Joint, trace);
+    }
+
+    /// Onto a feature edge of what carries the body, from another one: at a parameter, with a speed along it.
+    pub(super) fn put_on(
+        &mut self,
+        edge: EdgeId,
+        segment: SegmentId,
+        s0: f64,
+        u0: f64,
+        terrain: &Terrain,
+    ) {
+        let feature_edge = self.ground(terrain).mesh.segment(segment);
+        self.mode = Mode::Surface(Surface {
+            t0: self.time,
+            s0,
+            u0,
             accel: 0.0,
             limit: None,
             segment,
-            track,
+            track: Track::of(feature_edge),
             edge,
             since: 0.0,
-            walkable: true,
+            walkable: walkable(feature_edge, terrain.tuning.max_slope),
             against: 0.0,
-        };
-        self.log(EventKind::Joint, trace);
-        false
+        });
     }
 
     /// At rest before a wall (none: the world's border), which from now on takes up every push.
@@ -250,14 +335,16 @@ impl Body {
 
     /// Off the end of a surface, in the direction of the motion so far, from the vertex where `onward` begins: the edge that
     /// would continue it.
-    fn leave(&mut self, joint: Joint, onward: EdgeId, terrain: &Terrain, trace: &mut Trace) {
+    pub(super) fn leave(
+        &mut self,
+        joint: Joint,
+        onward: EdgeId,
+        terrain: &Terrain,
+        trace: &mut Trace,
+    ) {
         let mesh = self.ground(terrain);
         let walked = self.supported();
-        // The edge out of that vertex that has a free face beside the surface on its left.
-        let spoke = match joint.heading {
-            Heading::Along => onward,
-            Heading::Against => mesh.lnext(onward),
-        };
+        let spoke = joint.spoke(onward, mesh);
         let bearing = Bearing {
             d: vector(joint.before),
             then: DVec2::new(0.0, -1.0),
@@ -294,20 +381,29 @@ impl Body {
         if !on.towards {
             return self.leave(joint, on.edge, terrain, trace);
         }
-        let kept = (joint.speed * on.cosine).max(0.0);
+        let keeps = keeps(&joint, &on, false, mesh, terrain);
+        let kept = if keeps {
+            joint.speed
+        } else {
+            (joint.speed * on.cosine).max(0.0)
+        };
         let into = joint.lost(kept);
         let u = on.sign * kept;
         let (sinks, goes_down) = (joint.before.1 < 0, on.after.1 < 0);
         let lasts = kept > 0.0 || !self.pulled_off(&on.track, 0.0, terrain);
         if walkable(mesh.segment(on.segment), terrain.tuning.max_slope) {
             // Who holds against the slope that he comes down on stands at its foot: else each return would set him off again.
-            let wish = self.control.run * terrain.tuning.run_speed;
-            let stands = wish * vector(on.after).x < 0.0 && kept <= wish.abs();
+            let crouched = self.size == Size::Crouch;
+            let footing = Footing::under(on.segment, mesh, terrain);
+            let wish = footing.steady(&self.control, crouched, terrain.tuning);
+            let stands = !keeps && wish * vector(on.after).x < 0.0 && kept <= wish.abs();
             let u = if stands { 0.0 } else { u };
             self.settle(on.segment, on.edge, on.start, u, into, terrain, trace);
             if let (true, Mode::Surface(ground)) = (stands, &mut self.mode) {
                 ground.against = -on.sign;
             }
+        } else if keeps && kept > 0.0 {
+            self.bend(&on, kept, terrain, trace);
         } else if lasts && (goes_down || !sinks && kept > 0.0) {
             self.settle(on.segment, on.edge, on.start, u, into, terrain, trace);
         } else if sinks && !goes_down {
@@ -319,6 +415,14 @@ impl Body {
             self.stop(joint, Some(on), trace, mesh);
         }
     }
+}
+
+/// Whether the speed round a concave joint is kept and not projected: as the two features say, else `otherwise`. A turn of a
+/// right angle or more is a wall, not a bend: nobody runs on round it.
+fn keeps(joint: &Joint, on: &Onward, otherwise: bool, mesh: Ground, terrain: &Terrain) -> bool {
+    let [from, to] = [joint.segment, on.segment].map(|s| mesh.segment(s).feature);
+    let choice = terrain.concave_of(from, to);
+    dot(joint.before, on.after) > 0 && choice.map_or(otherwise, |c| c == Concave::Keep)
 }
 
 /// Whether a speed up a steep face carries a body higher than a joint may rise: only then it goes up at all, so that the ever

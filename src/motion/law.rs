@@ -1,5 +1,5 @@
 //! The accelerations: for every mode a constant, chosen from the control, the tuning and the speed, together with the speed
-//! at which the choice changes.
+//! at which the choice changes. Those along walkable ground are in `footing`.
 
 use super::body::Control;
 use crate::tune::Motion;
@@ -17,7 +17,8 @@ pub struct Law {
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 impl Law {
-    pub(super) const REST: Law = Law {
+    /// None at all.
+    pub const REST: Law = Law {
         accel: 0.0,
         until: None,
     };
@@ -39,38 +40,24 @@ impl Law {
     }
 }
 
-/// Drives a speed to the wished one: `accel` when it is too low, `brake` when it must stop or turn first, `decay` when it is
-/// over the wish (over-speed decays and is never clipped).
-fn drive(speed: f64, target: f64, accel: f64, brake: f64, decay: f64) -> Law {
-    if target == 0.0 || speed * target < 0.0 {
-        Law::towards(speed, 0.0, brake)
-    } else if speed.abs() <= target.abs() {
-        Law::towards(speed, target, accel)
+/// Drives a speed to the wished one over a base, the speed of a belt: `accel` when it is too low, `brake` when it must stop
+/// on the belt or turn first, `decay` when it is over the wish (over-speed decays and is never clipped).
+pub(super) fn drive(speed: f64, base: f64, wish: f64, accel: f64, brake: f64, decay: f64) -> Law {
+    let goal = base + wish;
+    if wish == 0.0 || (speed - base) * wish < 0.0 {
+        Law::towards(speed, base, brake)
+    } else if (goal - speed) * wish >= 0.0 {
+        Law::towards(speed, goal, accel)
     } else {
-        Law::towards(speed, target, decay)
+        Law::towards(speed, goal, decay)
     }
-}
-
-/// Along walkable ground, in the direction of growing x.
-pub fn run(speed: f64, control: &Control, crouched: bool, t: &Motion) -> Law {
-    let full = if crouched {
-        t.crouch_speed
-    } else {
-        t.run_speed
-    };
-    drive(
-        speed,
-        control.run * full,
-        t.run_accel,
-        t.run_brake,
-        t.over_speed_decay,
-    )
 }
 
 /// Sideways in the air.
 pub fn steer(speed: f64, control: &Control, t: &Motion) -> Law {
     drive(
         speed,
+        0.0,
         control.run * t.run_speed,
         t.air_accel,
         t.air_brake,
@@ -189,38 +176,6 @@ mod tests {
                 until: Some(-t.fast_fall_speed)
             }
         );
-    }
-
-    #[test]
-    fn a_run_brakes_turns_and_never_clips() {
-        let t = Motion::default();
-        let right = Control {
-            run: 1.0,
-            ..Control::default()
-        };
-        assert_eq!(
-            run(0.0, &right, false, &t),
-            Law {
-                accel: t.run_accel,
-                until: Some(8.0)
-            }
-        );
-        assert_eq!(
-            run(-2.0, &right, false, &t),
-            Law {
-                accel: t.run_brake,
-                until: Some(0.0)
-            }
-        );
-        assert_eq!(
-            run(9.0, &right, false, &t),
-            Law {
-                accel: -t.over_speed_decay,
-                until: Some(8.0)
-            }
-        );
-        assert_eq!(run(8.0, &right, false, &t), Law::REST);
-        assert_eq!(run(0.0, &Control::default(), false, &t), Law::REST);
     }
 
     #[test]

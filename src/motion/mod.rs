@@ -7,8 +7,9 @@
 //! a free edge is one, and so results depend neither on the tick rate nor on how free space is triangulated.
 //!
 //! In reading order: [`terrain`] and [`mover`] (in what?), [`roots`] (when?), [`track`] (along what?), [`vertex`] (what
-//! next?), [`law`] (how fast?), [`body`] (the state), [`event`] (what happens to it), `step` (the sequence of events) with
-//! `air`, `corner`, `surface`, `joint`, [`wall`] and `size`, [`Anchor`] (edits under a body), [`check`] (the invariants).
+//! next?), [`law`] and [`footing`] (how fast?), [`body`] (the state), [`event`] (what happens to it), `step` (the sequence
+//! of events) with `air`, `corner`, `surface`, `joint`, `snap`, `stair`, [`wall`] and `size`, [`Anchor`] (edits under a
+//! body), [`check`] (the invariants).
 //!
 //! What is absent: swimming, and solids that rotate. Bodies do not meet each other.
 
@@ -18,11 +19,14 @@ pub mod check;
 mod corner;
 mod edit;
 pub mod event;
+pub mod footing;
 mod joint;
 pub mod law;
 pub mod mover;
 pub mod roots;
 mod size;
+mod snap;
+mod stair;
 mod step;
 mod surface;
 pub mod terrain;

@@ -115,7 +115,8 @@ impl Body {
             if let Some(segment) = same {
                 let edge = piece_at(mesh, segment, on.s0, on);
                 if let Some(edge) = edge {
-                    (on.edge, on.segment) = (edge, segment);
+                    // What stopped the old size may not stop the new one.
+                    (on.edge, on.segment, on.against) = (edge, segment, 0.0);
                 }
                 return edge.is_some();
             }

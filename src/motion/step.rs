@@ -3,6 +3,7 @@
 use super::body::{
     Air, Body, Control, Event, EventKind, Mode, Next, Size, SpawnError, Surface, Trace, Wedge,
 };
+use super::footing::Footing;
 use super::law;
 use super::terrain::Terrain;
 use crate::mesh::{FaceId, SegmentId};
@@ -109,6 +110,12 @@ impl Body {
         self.jump_if_asked(terrain, trace);
         self.part_if_pulled(terrain, trace);
         self.choose_law(terrain);
+        if self.press_on(terrain, trace) {
+            self.choose_law(terrain);
+        }
+        if let Mode::Surface(on) = &mut self.mode {
+            on.stand_against_wall();
+        }
         self.schedule(terrain);
     }
 
@@ -212,6 +219,7 @@ impl Body {
     fn choose_law(&mut self, terrain: &Terrain) {
         let (t, control) = (terrain.tuning, self.control);
         let slows = self.is_slowed_by_wall(terrain);
+        let (mesh, crouched) = (self.ground(terrain), self.size == Size::Crouch);
         let limit = |from: f64, law: law::Law, speed: f64| {
             law.until
                 .zip(law.time_left(speed))
@@ -230,14 +238,13 @@ impl Body {
             Mode::Surface(on) if on.walkable => {
                 // The wish counts along x; the parameter of ground steeper than 45 degrees along y.
                 let x = if on.track.tangent.x < 0.0 { -1.0 } else { 1.0 };
-                let law = law::run(on.u0 * x, &control, self.size == Size::Crouch, t);
+                let footing = Footing::under(on.segment, mesh, terrain);
+                let law = footing.law(on.u0 * x, &control, crouched, t);
                 on.accel = law.accel * x;
                 on.limit = limit(on.t0, law, on.u0 * x).map(|(at, until)| (at, until * x));
-                on.stand_against_wall();
             }
             Mode::Surface(on) => {
                 on.choose_slide(&control, slows, t);
-                on.stand_against_wall();
             }
             Mode::Wedge(_) | Mode::Crushed(_) => {}
         }

@@ -83,6 +83,7 @@ impl<'a> Terrain<'a> {
     pub fn ground(&self, size: Size) -> Ground<'a> {
         Ground {
             mesh: self.mesh(size),
+            traits: self.traits,
             max_slope: self.tuning.max_slope,
         }
     }
@@ -93,8 +94,28 @@ impl<'a> Terrain<'a> {
             None => self.ground(size),
             Some(mover) => Ground {
                 mesh: self.movers[mover as usize].mesh(size),
+                traits: self.traits,
                 max_slope: self.tuning.max_slope,
             },
+        }
+    }
+
+    /// Whether walkers are driven alike on two features: then a joint between them that goes straight on is no event.
+    pub(super) fn alike(&self, a: FeatureId, b: FeatureId) -> bool {
+        let drive = |f: FeatureId| {
+            let traits = self.traits_of(f);
+            (traits.conveyor, traits.friction)
+        };
+        a == b || drive(a) == drive(b)
+    }
+
+    /// What two features say about a concave joint between them, the same from either side: `Project` if one of them says
+    /// so, else `Keep` if one of them does, else nothing.
+    pub(super) fn concave_of(&self, a: FeatureId, b: FeatureId) -> Option<Concave> {
+        match (self.traits_of(a).concave, self.traits_of(b).concave) {
+            (Some(Concave::Keep), Some(Concave::Keep) | None) => Some(Concave::Keep),
+            (None, b) => b,
+            (Some(_), _) => Some(Concave::Project),
         }
     }
 
@@ -112,8 +133,19 @@ impl<'a> Terrain<'a> {
 pub struct Ground<'a> {
     /// The mesh.
     pub mesh: &'a Mesh,
+    /// By feature; those beyond the end have the default.
+    pub traits: &'a [Traits],
     /// Steepest ground that can be stood on.
     pub max_slope: f64,
+}
+
+impl Ground<'_> {
+    /// Whether the ground of a feature is a belt, or has a friction of its own.
+    pub fn drives(&self, feature: FeatureId) -> bool {
+        self.traits
+            .get(feature as usize)
+            .is_some_and(|t| t.conveyor != 0.0 || t.friction.is_some())
+    }
 }
 
 impl Deref for Ground<'_> {

@@ -118,6 +118,16 @@ impl Track {
         }
     }
 
+    /// The parameter at a world x, in grid steps; for roads that are not upright.
+    pub fn parameter_at_x(&self, x: i32) -> f64 {
+        if self.axis == Axis::X {
+            return f64::from(x) * STEP;
+        }
+        let numerator = i128::from(self.direction.1) * i128::from(x) + i128::from(self.offset);
+        let dx = i128::from(self.direction.0);
+        ((numerator / dx) as f64 + (numerator % dx) as f64 / dx as f64) * STEP
+    }
+
     /// The position on the line at a parameter.
     pub fn position(&self, s: f64) -> DVec2 {
         let (dx, dy) = (self.direction.0 as f64, self.direction.1 as f64);

@@ -65,8 +65,8 @@ pub fn surface_next(mesh: Ground, e: EdgeId, heading: Heading) -> EdgeId {
 }
 
 /// The feature edge that a body meets at a blocking mesh edge with the free side on its left: `prefer` if it runs there,
-/// else the best of those that have their solid on the other side. Walkable ones come first, then longer ones, then
-/// earlier features; so neither ids of the mesh nor the order of insertion matter. `None` at the world's border.
+/// else the best of those that have their solid on the other side. Walkable ones come first, then belts and features with
+/// a friction of their own, which may be drawn on a floor, then longer ones, then earlier features; so neither ids of the mesh nor the order of insertion matter. `None` at the world's border.
 pub fn segment_at(
     mesh: Ground,
     e: EdgeId,
@@ -79,6 +79,7 @@ pub fn segment_at(
         (
             prefer(s),
             walkable(segment, max_slope),
+            mesh.drives(segment.feature),
             dot(d, d),
             std::cmp::Reverse((segment.feature, segment.source)),
         )

@@ -5,6 +5,7 @@
 mod degenerate;
 mod edits;
 mod found;
+mod ground;
 mod rig;
 mod slopes;
 mod stress;

@@ -2,7 +2,9 @@
 
 use edgewalker::geom::{Collider, ExpandedEdge, Point, Source, expand};
 use edgewalker::mesh::Mesh;
-use edgewalker::motion::{Body, Control, EventKind, Mode, Size, Terrain, Trace, check::check};
+use edgewalker::motion::{
+    Body, Control, EventKind, Mode, Size, Terrain, Trace, Traits, check::check,
+};
 use edgewalker::tune::Motion;
 use glam::DVec2;
 
@@ -53,6 +55,8 @@ pub struct Scene {
     pub stand: Collider,
     pub crouch: Collider,
     pub tuning: Motion,
+    /// By solid; those beyond the end have none.
+    pub traits: Vec<Traits>,
 }
 
 /// Gravity 30 and nothing else: no control, no limits.
@@ -72,6 +76,8 @@ pub fn plain() -> Motion {
         fast_fall_speed: 1e12,
         fast_fall_gravity: 1.0,
         joint_stick: 0.0,
+        floor_snap: 0.0,
+        step_up: 0.0,
         ..Motion::default()
     }
 }
@@ -95,6 +101,7 @@ impl Scene {
             stand: Collider::point(),
             crouch: Collider::point(),
             tuning: plain(),
+            traits: Vec::new(),
         }
     }
 
@@ -116,6 +123,13 @@ impl Scene {
     pub fn solid(mut self, outline: &[(f64, f64)]) -> Scene {
         self.solids
             .push(outline.iter().map(|&(x, y)| v(x, y)).collect());
+        self
+    }
+
+    /// Gives traits to the last solid.
+    pub fn traits(mut self, change: impl Fn(&mut Traits)) -> Scene {
+        self.traits.resize(self.solids.len(), Traits::default());
+        change(self.traits.last_mut().expect("a solid"));
         self
     }
 
@@ -170,7 +184,14 @@ impl Scene {
             self.mesh(variant, &self.stand),
             self.mesh(variant, &self.crouch),
         );
-        let terrain = Terrain::new(&stand, &crouch, &self.tuning);
+        let mut traits = self.traits.clone();
+        if variant == Variant::Mirrored {
+            traits.iter_mut().for_each(|t| t.conveyor = -t.conveyor);
+        }
+        let terrain = Terrain {
+            traits: &traits,
+            ..Terrain::new(&stand, &crouch, &self.tuning)
+        };
         test(&mut Run {
             variant,
             terrain,
@@ -277,6 +298,11 @@ impl Run<'_> {
         self.trace.crossed += step.crossed;
         self.trace.passed += step.passed;
         self
+    }
+
+    /// Moves on by a time.
+    pub fn wait(&mut self, span: f64) -> &mut Self {
+        self.advance(self.time() + span)
     }
 
     /// Moves on by a number of ticks.

@@ -1,0 +1,71 @@
+//! Step-up: a walker stopped by a wall that is no higher than a step goes on top of it.
+//!
+//! From the foot of the wall the border of free space is followed upwards, edge by edge, as long as it only rises and
+//! does not lean back over him. If it comes to walkable ground no higher than the limit, he is put there, at its
+//! beginning, with the speed that he had. All of that path is on the border of free space, so there is room for him:
+//! under a low ceiling the border runs into the ceiling first. Heights are compared in whole grid steps, the limit
+//! rounded to them.
+//!
+//! Stepping up is walking: it takes a wish in that direction, and ground to do it from. Who is carried to a step by a belt or
+//! by his momentum stops there, and who slides down a steep face onto a step is no walker.
+
+use super::body::{Body, EventKind, Trace};
+use super::joint::Joint;
+use super::snap::in_steps;
+use super::terrain::{Ground, Terrain};
+use super::track::walkable;
+use super::vertex::{behind, bridge, segment_at, surface_next};
+use crate::mesh::{EdgeId, SegmentId};
+
+/// More pieces than the side of any step has; a bound, so that a knot of rounded edges cannot hold the search for ever.
+const PIECES: u32 = 1024;
+
+impl Body {
+    /// At the foot of a wall: onto it, if it is a step. False, and nothing changed, if it is none.
+    pub(super) fn step_up(&mut self, joint: &Joint, terrain: &Terrain, trace: &mut Trace) -> bool {
+        let t = terrain.tuning;
+        let mesh = self.ground(terrain);
+        let limit = in_steps(t.step_up);
+        if limit == 0 || self.control.run * joint.forward() <= 0.0 {
+            return false;
+        }
+        let Some((edge, segment)) = top(joint, limit, t.max_slope, mesh) else {
+            return false;
+        };
+        let before = self.position().y;
+        let on = joint.onto(mesh, edge, segment);
+        self.put_on(edge, segment, on.start, on.sign * joint.speed, terrain);
+        let height = self.position().y - before;
+        self.log(EventKind::SteppedUp(height), trace);
+        true
+    }
+}
+
+/// The walkable ground at the top of a wall at most `limit` grid steps high.
+fn top(joint: &Joint, limit: i32, max_slope: f64, mesh: Ground) -> Option<(EdgeId, SegmentId)> {
+    let heading = joint.heading;
+    let height = |e| mesh.point(behind(mesh, e, heading)).y;
+    let highest = height(joint.next) + limit;
+    let found = climb(joint, highest, max_slope, mesh)?;
+    (height(found.0) <= highest).then_some(found)
+}
+
+/// Up the border of free space to walkable ground, not beyond a height.
+fn climb(joint: &Joint, highest: i32, max_slope: f64, mesh: Ground) -> Option<(EdgeId, SegmentId)> {
+    let heading = joint.heading;
+    let mut edge = joint.next;
+    for _ in 0..PIECES {
+        let segment = segment_at(mesh, edge, max_slope, |_| false)?;
+        if walkable(mesh.segment(segment), max_slope) {
+            return Some((edge, segment));
+        }
+        let on = joint.onto(mesh, edge, segment);
+        let rises = on.after.1 > 0 && on.after.0 as f64 * joint.forward() >= 0.0;
+        if !rises || mesh.point(behind(mesh, edge, heading)).y > highest {
+            // At the top there may be a lip that rounding has left.
+            return bridge(mesh, edge, heading, max_slope);
+        }
+        edge = surface_next(mesh, edge, heading);
+    }
+    None
+}
