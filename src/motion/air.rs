@@ -211,21 +211,26 @@ impl Body {
             }
         }
         let along = track.tangent.dot(v);
-        let held = self.is_held_between(at, track.tangent * along, mesh);
+        let held = self.is_held_between(&track, at, along, mesh);
         let (u, into) = (if held { 0.0 } else { along }, into.max(0.0));
         self.settle(segment, edge, s, u, into, terrain, trace);
     }
 
     /// Whether the velocity that one blocking edge leaves goes into another one, which the body has just left and is not yet
     /// apart from by more than a joint: the solution for two edges at once is rest. Without it a body that rises into a
-    /// crevice is thrown from side to side ever faster.
-    fn is_held_between(&self, at: DVec2, v: DVec2, mesh: Ground) -> bool {
+    /// crevice is thrown from side to side ever faster. Beside that edge, and on its own line, nothing holds.
+    fn is_held_between(&self, new: &Track, at: DVec2, along: f64, mesh: Ground) -> bool {
         let Mode::Air(air) = &self.mode else {
             return false;
         };
         air.touching[0].is_some_and(|s| {
-            let (height, away, _) = Track::of(mesh.segment(s)).height(at, v, DVec2::ZERO);
-            height <= f64::from(JOINT_STEPS) * STEP && away < 0.0
+            let left = mesh.segment(s);
+            let track = Track::of(left);
+            let (height, away, _) = track.height(at, new.tangent * along, DVec2::ZERO);
+            let [a, b] = [left.a, left.b].map(|end| track.parameter_of(end));
+            let beside = (a.min(b) - track.parameter(at)).max(track.parameter(at) - a.max(b));
+            let near = height.abs().max(beside) <= f64::from(JOINT_STEPS) * STEP;
+            near && away < 0.0 && !track.same_line(new)
         })
     }
 

@@ -53,12 +53,15 @@ pub(super) fn drive(speed: f64, base: f64, wish: f64, accel: f64, brake: f64, de
     }
 }
 
-/// Sideways in the air.
+/// Sideways in the air. The wish is met but for the rounding of a speed that was turned into one along a slope and back:
+/// else the last bit would say whether a slide that has reached it is still pushed.
 pub fn steer(speed: f64, control: &Control, t: &Motion) -> Law {
+    let wish = control.run * t.run_speed;
+    let met = (speed - wish).abs() <= ROUNDING * wish.abs();
     drive(
-        speed,
+        if met { wish } else { speed },
         0.0,
-        control.run * t.run_speed,
+        wish,
         t.air_accel,
         t.air_brake,
         t.over_speed_decay,

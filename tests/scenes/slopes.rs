@@ -299,3 +299,62 @@ fn a_slide_at_the_terminal_speed_goes_on_at_that_speed() {
             });
     }
 }
+
+#[test]
+fn a_hop_off_a_ledge_keeps_the_speed_along_the_slope_below() {
+    // From (-2, 0) with (4, 12): lands where 12 t - 15 t^2 = -4 - (4 t - 2), on 45 degrees falling right from (0, -4), far
+    // below the line of the ledge that the body left. That ledge is no second edge that holds it.
+    let scene = Scene::point().rect((-10.0, 0.0), (-5.0, 0.0)).solid(&[
+        (-10.0, -14.0),
+        (10.0, -14.0),
+        (0.0, -4.0),
+        (-10.0, -4.0),
+    ]);
+    scene.each(|run| {
+        run.spawn(-2.0, 0.5).advance(0.5).velocity(4.0, 0.0);
+        run.jump(true);
+        let t = (16.0 + (16.0f64 * 16.0 + 4.0 * 15.0 * 2.0).sqrt()) / 30.0;
+        run.advance(0.5 + t + 1e-9);
+        let (x, y) = (4.0, 12.0 - 30.0 * t);
+        let along = (x - y) / 2.0;
+        close(run.speed().x, along, 1e-6);
+        close(run.speed().y, -along, 1e-6);
+        assert!(run.supported());
+    });
+}
+
+#[test]
+fn a_hop_on_one_slope_keeps_the_speed_along_it() {
+    // Up with 12 and down with 12 onto the edge that was left: it is no second edge either, whatever its normal rounds to.
+    for rise in 1..60 {
+        let top = f64::from(rise) / 4.0;
+        let scene = Scene::point().under(&[(-16.0, -top), (16.0, top)], -20.0);
+        scene.each(|run| {
+            run.spawn(1.0, 5.0).advance(1.0).velocity(0.0, 0.0);
+            run.jump(true).advance(1.8 + 1e-9);
+            let length = (16.0 * 16.0 + top * top).sqrt();
+            let along = -12.0 * top / length;
+            close(run.speed().x, along * 16.0 / length, 1e-6);
+            close(run.speed().y, along * top / length, 1e-6);
+        });
+    }
+}
+
+#[test]
+fn a_push_that_reaches_the_wish_holds_nobody_to_an_overhang() {
+    // Pressed to the right against the underside of a 45 degree overhang, sliding down along it: the push ends at the wished
+    // speed, and then gravity pulls the body off. Whether the speed along the slope turns back into exactly that wish is rounding.
+    for wish in 40..80 {
+        let wish = f64::from(wish) / 10.0;
+        let scene = Scene::point()
+            .solid(&[(-10.0, 10.0), (10.0, -10.0), (10.0, 10.0)])
+            .tune(|t| (t.run_speed, t.air_accel) = (wish, 60.0));
+        scene.each(|run| {
+            run.spawn(-0.05, 0.0).hold(1.0).advance(2.0);
+            let parted = run.when(|kind| kind == EventKind::Parted);
+            assert_eq!(run.when(|kind| kind == EventKind::Limit), parted);
+            assert!(run.airborne());
+            close(run.speed().x, wish, 1e-12);
+        });
+    }
+}
