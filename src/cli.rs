@@ -2,12 +2,14 @@
 //!
 //! Parsing touches nothing but its arguments, so that every refusal can be tested without a window.
 
+pub mod check;
 pub mod files;
 pub mod headless;
 pub mod lines;
 pub mod load;
 pub mod summary;
 pub mod tuning;
+mod walk;
 
 use crate::game::replay::LONGEST;
 use lexopt::Arg;
@@ -40,6 +42,11 @@ Runs as values
   --screenshot FILE   Write one picture as PNG and leave; needs --at
   --at TICK           The tick of the picture: of the replay, or of a run without input
 
+For level makers
+  --check LEVEL       Check all meshes of a level and walk about in it at random, no window; --seed, --tuning and
+                      --tick-rate hold, and --record names the replay of a fault (default: check.replay.ron)
+  --ticks N           How long to walk (default: 100000)
+
 Window
   --size WxH          Size in points (default: 1280x720)
   --fullscreen        Start in fullscreen
@@ -53,11 +60,11 @@ Keys
   Left/Right, A/D     Run                      F1         Overlay: tunables, drawings, graphs
   Space, Z            Jump                     P  .       Pause, single step
   Down, S             Crouch, fast fall        [  ]       Slower, faster
-  Up, W               Look up                  F11, Alt+Enter  Fullscreen
+  Up, W               Climb, look up           F11, Alt+Enter  Fullscreen
   R                   Back to the start        Esc        Pause; there Esc goes on, Q quits
 Game controllers: stick or D-pad, A jump, B crouch, Back restart, Start pause, right stick looks.
 
-Exit status: 0 left by the player, 1 something failed, 2 the options make no sense.
+Exit status: 0 left by the player or nothing wrong, 1 something failed or is wrong, 2 the options make no sense.
 ";
 
 /// What the program was asked to do.
@@ -72,6 +79,8 @@ pub enum Command {
         /// The replay file.
         replay: PathBuf,
     },
+    /// Check a level.
+    Check(check::Plan),
     /// Open a window.
     Window(Options),
 }
@@ -155,6 +164,9 @@ pub fn parse(args: impl IntoIterator<Item = OsString>) -> Result<Command, UsageE
             replay: given.path("replay").unwrap_or_default(),
         });
     }
+    if let Some(level) = given.path("check") {
+        return Ok(Command::Check(given.check_plan(level)?));
+    }
     Ok(Command::Window(Options {
         source: given.source()?,
         screenshot: given.screenshot()?,
@@ -177,6 +189,8 @@ const FLAGS: &[&str] = &[
     "version",
 ];
 const VALUED: &[&str] = &[
+    "check",
+    "ticks",
     "level",
     "tuning",
     "record",
@@ -186,6 +200,17 @@ const VALUED: &[&str] = &[
     "size",
     "tick-rate",
     "seed",
+];
+
+/// Options that are about a window.
+const NO_WINDOW: &[&str] = &[
+    "screenshot",
+    "at",
+    "size",
+    "fullscreen",
+    "no-vsync",
+    "overlay",
+    "mesh",
 ];
 
 /// Pairs that contradict each other, with the reason.
@@ -202,23 +227,25 @@ const CONTRADICTIONS: &[(&str, &[&str], &str)] = &[
         "a screenshot is not played",
     ),
     (
+        "check",
+        &["level", "replay", "headless"],
+        "it names the level, and plays it without a window",
+    ),
+    (
+        "check",
+        NO_WINDOW,
+        "without a window there is nothing to show",
+    ),
+    (
         "headless",
-        &[
-            "screenshot",
-            "at",
-            "size",
-            "fullscreen",
-            "no-vsync",
-            "overlay",
-            "mesh",
-            "record",
-        ],
+        NO_WINDOW,
         "without a window there is nothing to show",
     ),
 ];
 
 /// Options that are pointless without another one.
 const NEEDS: &[(&str, &str)] = &[
+    ("ticks", "check"),
     ("headless", "replay"),
     ("screenshot", "at"),
     ("at", "screenshot"),
@@ -282,6 +309,17 @@ impl Given {
         Ok(Source::Live {
             level: self.path("level"),
             tuning: self.path("tuning"),
+            tick_rate: self.number("tick-rate", TICK_RATES)?.unwrap_or(TICK_RATE),
+            seed: self.number("seed", 0..=u64::MAX)?.unwrap_or(0),
+            record: self.path("record"),
+        })
+    }
+
+    fn check_plan(&self, level: PathBuf) -> Result<check::Plan, UsageError> {
+        Ok(check::Plan {
+            level,
+            tuning: self.path("tuning"),
+            ticks: self.number("ticks", 0..=LONGEST)?.unwrap_or(check::TICKS),
             tick_rate: self.number("tick-rate", TICK_RATES)?.unwrap_or(TICK_RATE),
             seed: self.number("seed", 0..=u64::MAX)?.unwrap_or(0),
             record: self.path("record"),
@@ -357,131 +395,4 @@ fn usage<T>(message: String) -> Result<T, UsageError> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn parse_text(text: &str) -> Result<Command, String> {
-        parse(text.split_whitespace().map(OsString::from)).map_err(|e| e.to_string())
-    }
-
-    fn options(text: &str) -> Options {
-        match parse_text(text) {
-            Ok(Command::Window(options)) => options,
-            other => panic!("{text}: {other:?}"),
-        }
-    }
-
-    #[test]
-    fn nothing_asked_is_the_default_game() {
-        let Options {
-            source,
-            size,
-            vsync,
-            screenshot,
-            ..
-        } = options("");
-        assert!(vsync && size.is_none() && screenshot.is_none());
-        let live = Source::Live {
-            level: None,
-            tuning: None,
-            tick_rate: 120,
-            seed: 0,
-            record: None,
-        };
-        assert_eq!(source, live);
-    }
-
-    #[test]
-    fn every_option_arrives() {
-        let all = options(
-            "--level a --tuning=b --tick-rate 60 --seed 7 --record r --size 800x600 --no-vsync --mesh",
-        );
-        let live = Source::Live {
-            level: Some("a".into()),
-            tuning: Some("b".into()),
-            tick_rate: 60,
-            seed: 7,
-            record: Some("r".into()),
-        };
-        assert_eq!(all.source, live);
-        assert!(
-            all.size == Some((800, 600))
-                && !all.vsync
-                && all.mesh
-                && !all.overlay
-                && !all.fullscreen
-        );
-        let shot = options("--replay r --screenshot s.png --at 12 --overlay");
-        assert_eq!(shot.source, Source::Replay("r".into()));
-        assert_eq!(
-            shot.screenshot,
-            Some(Screenshot {
-                file: "s.png".into(),
-                at: 12
-            })
-        );
-        assert_eq!(
-            parse_text("--headless --replay r"),
-            Ok(Command::Headless { replay: "r".into() })
-        );
-        assert_eq!(parse_text("--version"), Ok(Command::Version));
-        assert_eq!(parse_text("--headless --help"), Ok(Command::Help));
-    }
-
-    #[test]
-    fn help_names_every_option() {
-        for name in FLAGS.iter().chain(VALUED) {
-            assert!(HELP.contains(&format!("--{name}")), "{name}");
-        }
-    }
-
-    #[test]
-    fn nonsense_is_refused_with_the_reason() {
-        for (text, message) in [
-            ("--speed 3", "unknown option --speed"),
-            ("-x", "unknown option -x"),
-            ("level.ron", "unexpected argument `level.ron`"),
-            ("--seed 1 --seed 2", "--seed is given twice"),
-            ("--mesh --mesh", "--mesh is given twice"),
-            ("--level", "missing argument for option '--level'"),
-            ("--mesh=1", "unexpected argument for option '--mesh': \"1\""),
-            (
-                "--tick-rate 0",
-                "--tick-rate: `0` is not a whole number from 10 to 2000",
-            ),
-            (
-                "--tick-rate NaN",
-                "--tick-rate: `NaN` is not a whole number from 10 to 2000",
-            ),
-            (
-                "--seed -1",
-                "--seed: `-1` is not a whole number from 0 to 18446744073709551615",
-            ),
-            (
-                "--screenshot a.png --at 86400001",
-                "--at: `86400001` is not a whole number from 0 to 86400000",
-            ),
-            (
-                "--size 800",
-                "--size: `800` is not WIDTHxHEIGHT with sides from 64 to 16384",
-            ),
-            (
-                "--size 0x600",
-                "--size: `0x600` is not WIDTHxHEIGHT with sides from 64 to 16384",
-            ),
-            ("--headless", "--headless needs --replay"),
-            ("--screenshot a.png", "--screenshot needs --at"),
-            ("--at 3", "--at needs --screenshot"),
-            (
-                "--replay r --level l",
-                "--replay and --level contradict each other: a replay brings its own",
-            ),
-            (
-                "--replay r --record r",
-                "--replay and --record contradict each other: a replay is recorded already",
-            ),
-        ] {
-            assert_eq!(parse_text(text), Err(message.to_string()), "{text}");
-        }
-    }
-}
+mod tests;

@@ -1,5 +1,6 @@
 //! The game's program: understands its arguments, then plays.
 
+use edgewalker::cli::check::{self, Plan};
 use edgewalker::cli::{self, Command, Options};
 use std::process::ExitCode;
 
@@ -10,6 +11,7 @@ fn main() -> ExitCode {
         Ok(Command::Headless { replay }) => cli::headless::play(&replay)
             .map_err(|e| e.to_string())
             .and_then(|summary| print(&summary.to_string())),
+        Ok(Command::Check(plan)) => check(&plan),
         Ok(Command::Window(options)) => play(&options),
         Err(error) => {
             complain(&format!("{error}\nTry `edgewalker --help`."));
@@ -37,6 +39,19 @@ fn print(text: &str) -> Result<(), String> {
     match writeln!(std::io::stdout(), "{text}") {
         Err(e) if e.kind() != std::io::ErrorKind::BrokenPipe => Err(e.to_string()),
         _ => Ok(()),
+    }
+}
+
+/// Prints what is wrong with a level; an error if something is.
+fn check(plan: &Plan) -> Result<(), String> {
+    let report = check::run(plan).map_err(|e| e.to_string())?;
+    print(&report.to_string())?;
+    if let Some(text) = check::write_replay(plan, &report).map_err(|e| e.to_string())? {
+        print(&text)?;
+    }
+    match report.is_clean() {
+        true => Ok(()),
+        false => Err(format!("{}: not as it should be", plan.level.display())),
     }
 }
 

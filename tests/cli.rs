@@ -369,3 +369,64 @@ mod window {
         );
     }
 }
+
+#[test]
+fn a_good_level_passes_the_check() {
+    let mut command = program(&[
+        "--check",
+        "levels/quarry.ron",
+        "--ticks",
+        "3000",
+        "--seed",
+        "3",
+    ]);
+    let out = String::from_utf8(command.output().unwrap().stdout).unwrap();
+    for words in [
+        "level     levels/quarry.ron: The Drowned Quarry",
+        "meshes    3 built and checked",
+        "walks     1, together 3000 ticks at 120 Hz, seed 3",
+        "found     nothing wrong",
+    ] {
+        assert!(out.contains(words), "{out}");
+    }
+    expect(command, 0, &[]);
+}
+
+#[test]
+fn a_bad_level_fails_the_check_and_the_place_is_named() {
+    let folder = Folder::new("check");
+    let floor = "(id: \"floor\", outline: [(-9, -1), (9, -1), (9, 0), (-9, 0)]),";
+    let inside = folder.write(
+        "inside.ron",
+        &level(&floor.replace("(9, 0), (-9, 0)", "(9, 1), (-9, 1)")),
+    );
+    let words = ["inside.ron:4", "start", "stand inside feature \"floor\""];
+    expect(program(&["--check", &inside]), 1, &words);
+    let far = "(id: \"far\", kind: Hazard, outline: [(20, 0), (4001, 0), (4001, 1)]),";
+    let far = folder.write("far.ron", &level(&format!("{floor}\n{far}")));
+    let words = [
+        "far.ron:9",
+        "feature \"far\"",
+        "outline[1].x: 4001 is out of bounds",
+    ];
+    expect(program(&["--check", &far]), 1, &words);
+    let idle = "(id: \"idle\", kind: Trigger, outline: [(2, 0), (3, 0), (3, 1)]),
+                (id: \"buried\", kind: Checkpoint, respawn: Some((3, 0)), by: Some(Foot),
+                 outline: [(-3, -0.9), (-1, -0.9), (-1, -0.5)]),";
+    let idle = folder.write("idle.ron", &level(&format!("{floor}\n{idle}")));
+    let mut command = program(&["--check", &idle, "--ticks", "500"]);
+    let out = String::from_utf8(command.output().unwrap().stdout).unwrap();
+    assert!(
+        out.contains("wrong     feature \"idle\": nothing waits for this trigger"),
+        "{out}"
+    );
+    assert!(
+        out.contains("wrong     feature \"buried\": the standing hero can never be in it"),
+        "{out}"
+    );
+    assert!(
+        out.contains("walks     2, ") && out.ends_with("found     2 wrong\n"),
+        "{out}"
+    );
+    expect(command, 1, &["idle.ron: not as it should be"]);
+}

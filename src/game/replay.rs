@@ -3,6 +3,7 @@
 use super::stage::Stage;
 use super::{Input, World};
 use crate::tune::{TuneError, Tuning};
+use glam::DVec2;
 use ron::extensions::Extensions;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
@@ -30,6 +31,9 @@ pub struct Replay {
     pub tick_rate: u32,
     /// Seed of the game's generator.
     pub seed: u64,
+    /// Where the hero's foot is at first, m; `None`: at the level's start.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub start: Option<DVec2>,
     /// All tunables.
     pub tuning: Tuning,
     /// The inputs: for how many ticks, which.
@@ -107,6 +111,7 @@ impl Replay {
             fingerprint,
             tick_rate,
             seed,
+            start: None,
             tuning: tuning.clone(),
             inputs: Vec::new(),
         }
@@ -135,7 +140,7 @@ impl Replay {
     /// A world as it was when the recording began.
     ///
     /// # Errors
-    /// If the stage is not of the level that the run was recorded in.
+    /// If the stage is not of the level that the run was recorded in, or the hero does not fit where it begins.
     pub fn world(&self, stage: Arc<Stage>) -> Result<World, ReplayError> {
         let found = format!("{:016x}", stage.fingerprint());
         if found != self.fingerprint {
@@ -144,7 +149,12 @@ impl Replay {
                 found,
             });
         }
-        Ok(World::new(stage, self.tick_rate, self.seed))
+        let mut world = World::new(stage, self.tick_rate, self.seed);
+        if let Some(start) = self.start {
+            let put = world.put(start);
+            put.map_err(|error| ReplayError::Field("start", error.to_string()))?;
+        }
+        Ok(world)
     }
 
     /// Runs it to its end.

@@ -6,7 +6,7 @@ use super::stage::{Edit, EditError, Land, Stage};
 use super::{Input, Stance, View};
 use crate::level::Material;
 use crate::mesh::{Mesh, MeshError};
-use crate::motion::{Body, Control, Mode, Size, SpawnError, Trace};
+use crate::motion::{Body, Control, EventKind, Mode, Size, SpawnError, Trace, check};
 use crate::tune::{Motion, Tuning};
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
@@ -147,6 +147,37 @@ impl World {
         if let Some(actor) = self.state.actors.get_mut(body) {
             actor.control = control;
         }
+    }
+
+    /// Puts the hero somewhere, at rest, his foot at `at` (m).
+    ///
+    /// # Errors
+    /// If he does not fit there; he then stays where he is.
+    pub fn put(&mut self, at: DVec2) -> Result<(), SpawnError> {
+        let terrain = self.lands[HERO].terrain(&self.stage, &self.state.tuning);
+        self.state.actors[HERO].body = Body::spawn(at, self.time(), &terrain)?;
+        Ok(())
+    }
+
+    /// Checks the invariants of all bodies after the last tick.
+    ///
+    /// # Errors
+    /// The first that does not hold, and whose.
+    pub fn check(&self) -> Result<(), String> {
+        let State { actors, tuning, .. } = &self.state;
+        for (number, (actor, trace)) in actors.iter().zip(&self.traces).enumerate() {
+            let terrain = self.lands[actor.shape].terrain(&self.stage, tuning);
+            let stuck = trace.events.iter().any(|e| e.kind == EventKind::Stuck);
+            let checked = match stuck {
+                true => Err("its events did not end".into()),
+                false => check::check(&actor.body, &terrain, trace),
+            };
+            checked.map_err(|error| match number {
+                HERO => error,
+                _ => format!("body {number}: {error}"),
+            })?;
+        }
+        Ok(())
     }
 
     /// Changes the level under the bodies. Those that touch nothing of the change do not notice it.
