@@ -19,7 +19,7 @@ impl Air {
     pub(super) fn next(&self, mesh: Ground, tuning: &Motion) -> Option<(f64, Next)> {
         let mut best: Option<(f64, bool, EdgeId)> = None;
         for e in mesh.sides(self.face) {
-            let blocks = mesh.blocks(e);
+            let blocks = mesh.blocks(e) && !self.falls_through(mesh, e);
             let Some(at) = self.leaves(mesh, e, blocks) else {
                 continue;
             };
@@ -64,10 +64,8 @@ impl Air {
         // Others that share the piece and face the same way are within a step of the one that was left.
         let normal = |s: SegmentId| Track::of(mesh.segment(s)).normal;
         let across = |s: SegmentId| normal(s).dot(normal(left)) < 0.5;
-        let others = mesh
-            .uses(e)
-            .filter(|u| !u.forward && !self.touches(u.segment));
-        if others.map(|u| u.segment).any(across) {
+        let mut others = mesh.facing(e).filter(|&s| !self.touches(s));
+        if others.any(across) {
             return Some(over_piece);
         }
         self.comes_back_to(mesh, left).map(|at| over_piece.max(at))
@@ -79,8 +77,7 @@ impl Air {
 
     /// The feature edge along a mesh edge that the body is not yet apart from.
     fn touched(&self, mesh: Ground, e: EdgeId) -> Option<SegmentId> {
-        let mut uses = mesh.uses(e).filter(|u| !u.forward);
-        uses.find(|u| self.touches(u.segment)).map(|u| u.segment)
+        mesh.facing(e).find(|&s| self.touches(s))
     }
 
     /// When a feature edge is hit that was just left, whatever the pieces say: they may point anywhere. Heights over it within

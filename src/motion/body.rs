@@ -56,6 +56,8 @@ pub struct Air {
     pub touching: [Option<SegmentId>; 2],
     /// The direction that a wall jump holds.
     pub lock: Option<Lock>,
+    /// The feature edge of a one-way that the body lets itself fall through, while it is not yet apart from it.
+    pub through: Option<SegmentId>,
 }
 
 /// On a surface: a quadratic along a feature edge.

@@ -56,10 +56,7 @@ fn in_face(body: &Body, mesh: Ground) -> Result<(), String> {
         let outside = -along.perp_dot(p - ends[0]) / along.length();
         let before_feature_edge = |s| Track::of(mesh.segment(s)).height(p, p, p).0 >= -slack;
         let displaced = match mesh.blocks(e) {
-            true => mesh
-                .uses(e)
-                .filter(|u| !u.forward)
-                .any(|u| touches(u.segment) || before_feature_edge(u.segment)),
+            true => mesh.facing(e).any(|s| touches(s) || before_feature_edge(s)),
             false => touches_cut,
         };
         if outside > slack && !(displaced && outside <= STEP) {
@@ -78,10 +75,7 @@ fn on_edge(body: &Body, mesh: Ground) -> Result<(), String> {
     if !mesh.blocks(on.edge) {
         return Err("I2: the edge under the body does not block".into());
     }
-    if !mesh
-        .uses(on.edge)
-        .any(|u| u.segment == on.segment && !u.forward)
-    {
+    if !mesh.facing(on.edge).any(|s| s == on.segment) {
         return Err("I2: the feature edge does not run along the edge under the body".into());
     }
     let s = on.parameter(body.time());

@@ -103,7 +103,8 @@ impl Body {
             Mode::Surface(on) if self.frame.is_none() && on.against != 0.0 => {
                 // The edge itself may be no more: then there is nothing to compare.
                 let known = sides.iter().any(|s| s.0 == on.edge && s.3);
-                let wall = known.then(|| surface_next(ground, on.edge, on.heading(on.against)));
+                let next = || surface_next(ground, on.edge, on.heading(on.against));
+                let wall = if known { next() } else { None };
                 wall.into_iter().map(ends).collect()
             }
             Mode::Wedge(wedge) if self.frame.is_none() => {

@@ -25,8 +25,10 @@ pub(super) struct Joint {
     pub(super) track: Track,
     /// Exact direction of the motion so far.
     pub(super) before: (i64, i64),
-    /// The next edge of the surface.
-    pub(super) next: EdgeId,
+    /// The edge out of the vertex that has the face beside the surface so far on its left.
+    beside: EdgeId,
+    /// The next edge of the surface, if it goes on.
+    pub(super) next: Option<EdgeId>,
 }
 
 /// A way on from a joint.
@@ -57,6 +59,10 @@ impl Joint {
             segment: on.segment,
             track: on.track,
             before: on.track.heading(sign),
+            beside: match heading {
+                Heading::Along => mesh.lnext(on.edge),
+                Heading::Against => on.edge,
+            },
             next: surface_next(mesh, on.edge, heading),
         }
     }
@@ -66,11 +72,21 @@ impl Joint {
         self.before.0.signum() as f64
     }
 
-    /// The edge out of the vertex of the joint that has a free face beside the surface on its left; `onward` begins there.
-    pub(super) fn spoke(&self, onward: EdgeId, mesh: Ground) -> EdgeId {
-        match self.heading {
+    /// The edge out of the vertex where `onward` begins that has the face beside it on its left.
+    fn nearest(&self, onward: Option<EdgeId>, mesh: Ground) -> EdgeId {
+        onward.map_or(self.beside, |onward| match self.heading {
             Heading::Along => onward,
             Heading::Against => mesh.lnext(onward),
+        })
+    }
+
+    /// An edge out of that vertex that has a free face beside the surface on its left: beside the surface so far if it comes
+    /// to that vertex, for what is reached from there counts. `onward`: the edge that would continue it, if there is one.
+    pub(super) fn spoke(&self, onward: Option<EdgeId>, mesh: Ground) -> EdgeId {
+        let nearest = self.nearest(onward, mesh);
+        match mesh.origin(nearest) == mesh.origin(self.beside) {
+            true => self.beside,
+            false => nearest,
         }
     }
 
@@ -149,18 +165,20 @@ impl Body {
         let next = surface_next(mesh, on.edge, heading);
         let same_line =
             |s: SegmentId| s == on.segment || Track::of(mesh.segment(s)).same_line(&on.track);
-        let segment = segment_at(mesh, next, terrain.tuning.max_slope, same_line);
+        let onward = next.and_then(|next| {
+            segment_at(mesh, next, terrain.tuning.max_slope, same_line).map(|s| (next, s))
+        });
         let alike = |s: SegmentId| {
             let [from, to] = [on.segment, s].map(|s| mesh.segment(s).feature);
             !on.walkable || terrain.alike(from, to)
         };
-        if let Some(s) = segment.filter(|&s| same_line(s) && alike(s)) {
+        if let Some((next, s)) = onward.filter(|&(_, s)| same_line(s) && alike(s)) {
             (on.edge, on.segment, on.since) = (next, s, (now - on.t0).max(on.since));
             return true;
         }
         let joint = Joint::ahead(on, sign, on.speed(now).abs(), mesh);
         let walks = on.walkable;
-        let onward = segment.map(|s| joint.onto(mesh, next, s));
+        let onward = onward.map(|(next, s)| joint.onto(mesh, next, s));
         match walks {
             true => return self.walk_joint(joint, onward, terrain, trace),
             false => self.slide_joint(joint, onward, terrain, trace),
@@ -182,7 +200,8 @@ impl Body {
             return self.walk_on(joint, ground, terrain, trace);
         }
         match onward {
-            Some(on) if !on.towards => self.leave_or_snap(joint, on.edge, terrain, trace),
+            Some(on) if !on.towards => self.leave_or_snap(joint, Some(on.edge), terrain, trace),
+            None if joint.next.is_none() => self.leave_or_snap(joint, None, terrain, trace),
             Some(on) if keeps(&joint, &on, false, mesh, terrain) && climbs(joint.speed, t) => {
                 self.bend(&on, joint.speed, terrain, trace);
             }
@@ -210,7 +229,10 @@ impl Body {
         let next = next.filter(|&(_, s)| walkable(mesh.segment(s), steepest));
         let (edge, s) = match next {
             Some((_, s)) if !is_lip(mesh.segment(s)) => next,
-            _ => bridge(mesh, joint.next, joint.heading, steepest).or(next),
+            _ => {
+                let home = mesh.origin(joint.beside);
+                bridge(mesh, home, joint.next, joint.heading, steepest).or(next)
+            }
         }?;
         Some(joint.onto(mesh, edge, s))
     }
@@ -226,8 +248,10 @@ impl Body {
             return false;
         }
         let joint = Joint::ahead(on, on.against, 0.0, mesh);
-        let onward = segment_at(mesh, joint.next, terrain.tuning.max_slope, |_| false)
-            .map(|s| joint.onto(mesh, joint.next, s));
+        let onward = joint.next.and_then(|next| {
+            let segment = segment_at(mesh, next, terrain.tuning.max_slope, |_| false)?;
+            Some(joint.onto(mesh, next, segment))
+        });
         match self.ground_ahead(&joint, onward.as_ref(), terrain) {
             Some(ground) if self.is_held(&joint, &ground, terrain) => false,
             Some(ground) => {
@@ -272,7 +296,7 @@ impl Body {
             return true;
         }
         if !on.towards && !straight && !joint.holds(&on, mesh, t) {
-            self.leave(joint, on.edge, terrain, trace);
+            self.leave(joint, Some(on.edge), terrain, trace);
             return false;
         }
         if self.is_held(&joint, &on, terrain) {
@@ -334,11 +358,11 @@ impl Body {
     }
 
     /// Off the end of a surface, in the direction of the motion so far, from the vertex where `onward` begins: the edge that
-    /// would continue it.
+    /// would continue it, if there is one.
     pub(super) fn leave(
         &mut self,
         joint: Joint,
-        onward: EdgeId,
+        onward: Option<EdgeId>,
         terrain: &Terrain,
         trace: &mut Trace,
     ) {
@@ -351,7 +375,7 @@ impl Body {
         };
         let face = match sector(mesh, spoke, bearing) {
             Sector::Free(face) => Some(face),
-            Sector::Solid(..) => mesh.left(spoke),
+            Sector::Solid(..) => mesh.left(joint.nearest(onward, mesh)),
         };
         let face = face.expect("a surface has a free face beside it");
         let vertex = mesh.point(mesh.origin(spoke)).metres();
@@ -379,7 +403,7 @@ impl Body {
             return self.stop(joint, None, trace, mesh);
         };
         if !on.towards {
-            return self.leave(joint, on.edge, terrain, trace);
+            return self.leave(joint, Some(on.edge), terrain, trace);
         }
         let keeps = keeps(&joint, &on, false, mesh, terrain);
         let kept = if keeps {

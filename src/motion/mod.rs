@@ -8,7 +8,7 @@
 //!
 //! In reading order: [`terrain`] and [`mover`] (in what?), [`roots`] (when?), [`track`] (along what?), [`vertex`] (what
 //! next?), [`law`] and [`footing`] (how fast?), [`body`] (the state), [`event`] (what happens to it), `step` (the sequence
-//! of events) with `air`, `corner`, `surface`, `joint`, `snap`, `stair`, [`wall`] and `size`, [`Anchor`] (edits under a
+//! of events) with `air`, `corner`, `surface`, `joint`, `snap`, `stair`, [`wall`], `one_way` and `size`, [`Anchor`] (edits under a
 //! body), [`check`] (the invariants).
 //!
 //! What is absent: swimming, and solids that rotate. Bodies do not meet each other.
@@ -23,6 +23,7 @@ pub mod footing;
 mod joint;
 pub mod law;
 pub mod mover;
+mod one_way;
 pub mod roots;
 mod size;
 mod snap;

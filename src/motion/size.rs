@@ -6,10 +6,11 @@ use super::terrain::{Ground, Terrain};
 use super::track::delta;
 use super::vertex::{Bearing, JOINT_STEPS, Sector, sector, spokes};
 use crate::geom::STEP;
-use crate::mesh::{EdgeId, FaceId, Place, SegmentId};
+use crate::mesh::{EdgeId, FaceId, Place, SegmentId, VertexId};
 use glam::DVec2;
 
-/// The free face that holds a position, or borders it where it lies on an edge or a vertex; towards `v`, then `accel`.
+/// The free face that holds a position, or borders it where it lies on an edge or a vertex; towards `v`, then `accel`. On
+/// a one-way it is the one before its front.
 ///
 /// A position up to a grid step inside a solid, where only the rounding of a chain has put it, counts as on its border.
 pub(super) fn free_face(
@@ -24,7 +25,18 @@ pub(super) fn free_face(
     let free = |f: Option<FaceId>| f.filter(|&f| !mesh.is_solid(f));
     let found = match mesh.locate(p, None).ok_or(SpawnError::Outside)? {
         Place::Face(f) => free(Some(f)).or_else(|| beside(mesh, f, p)),
-        Place::Edge(e) => free(mesh.left(e)).or_else(|| free(mesh.left(mesh.sym(e)))),
+        Place::Edge(e) => {
+            let sides = [e, mesh.sym(e)];
+            let front = sides.into_iter().find(|&e| mesh.blocks(e));
+            let mut sides = front.into_iter().chain(sides);
+            sides.find_map(|e| free(mesh.left(e)))
+        }
+        Place::Vertex(w) if one_way_spoke(mesh, w).is_some() => {
+            one_way_spoke(mesh, w).and_then(|e| match sector(mesh, e, Bearing::of(v, accel)) {
+                Sector::Free(f) => Some(f),
+                Sector::Solid(..) => mesh.left(e),
+            })
+        }
         Place::Vertex(w) => {
             let mut fans = spokes(mesh, w).filter(|&e| free(mesh.left(e)).is_some());
             let first = fans.next();
@@ -38,6 +50,18 @@ pub(super) fn free_face(
         }
     };
     found.ok_or(SpawnError::Solid)
+}
+
+/// An edge out of a vertex that has the front of a one-way beside its left face.
+fn one_way_spoke(mesh: Ground, w: VertexId) -> Option<EdgeId> {
+    let front = |e: EdgeId| {
+        if mesh.is_one_way(e) {
+            return Some(e);
+        }
+        // It comes in here: its front is clockwise of this spoke.
+        mesh.is_one_way(mesh.sym(e)).then(|| mesh.oprev(e))
+    };
+    spokes(mesh, w).find_map(front)
 }
 
 /// The free face across an edge of a solid one that is at most a step away.
@@ -74,8 +98,7 @@ fn pieces<'a>(
     segment: SegmentId,
     on: &'a Surface,
 ) -> impl Iterator<Item = (f64, f64, EdgeId, bool)> + 'a {
-    let mesh = mesh.mesh;
-    mesh.chain(segment).windows(2).filter_map(move |ends| {
+    mesh.mesh.chain(segment).windows(2).filter_map(move |ends| {
         let e = mesh.edge_between(ends[1], ends[0])?;
         let [from, to] = [ends[0], ends[1]].map(|v| on.track.parameter_of(mesh.point(v)));
         Some((from, to, e, mesh.blocks(e)))
@@ -126,6 +149,7 @@ impl Body {
         let Ok(face) = free_face(mesh, p, v, down) else {
             return false;
         };
+        let face = self.same_side(face, mesh, terrain);
         match &mut self.mode {
             Mode::Air(air) => (air.face, air.touching) = (face, [None; 2]),
             _ => self.fly(p, v, face, [None; 2]),

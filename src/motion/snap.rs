@@ -28,11 +28,11 @@ pub(super) fn in_steps(distance: f64) -> i32 {
 
 impl Body {
     /// At the end of the ground: set down on what is near below, else off into the air. `onward` is the edge that would
-    /// continue the surface.
+    /// continue the surface, if there is one.
     pub(super) fn leave_or_snap(
         &mut self,
         joint: Joint,
-        onward: EdgeId,
+        onward: Option<EdgeId>,
         terrain: &Terrain,
         trace: &mut Trace,
     ) {

@@ -45,15 +45,22 @@ impl Body {
 fn top(joint: &Joint, limit: i32, max_slope: f64, mesh: Ground) -> Option<(EdgeId, SegmentId)> {
     let heading = joint.heading;
     let height = |e| mesh.point(behind(mesh, e, heading)).y;
-    let highest = height(joint.next) + limit;
-    let found = climb(joint, highest, max_slope, mesh)?;
+    let first = joint.next?;
+    let highest = height(first) + limit;
+    let found = climb(joint, first, highest, max_slope, mesh)?;
     (height(found.0) <= highest).then_some(found)
 }
 
 /// Up the border of free space to walkable ground, not beyond a height.
-fn climb(joint: &Joint, highest: i32, max_slope: f64, mesh: Ground) -> Option<(EdgeId, SegmentId)> {
+fn climb(
+    joint: &Joint,
+    first: EdgeId,
+    highest: i32,
+    max_slope: f64,
+    mesh: Ground,
+) -> Option<(EdgeId, SegmentId)> {
     let heading = joint.heading;
-    let mut edge = joint.next;
+    let mut edge = first;
     for _ in 0..PIECES {
         let segment = segment_at(mesh, edge, max_slope, |_| false)?;
         if walkable(mesh.segment(segment), max_slope) {
@@ -61,11 +68,12 @@ fn climb(joint: &Joint, highest: i32, max_slope: f64, mesh: Ground) -> Option<(E
         }
         let on = joint.onto(mesh, edge, segment);
         let rises = on.after.1 > 0 && on.after.0 as f64 * joint.forward() >= 0.0;
-        if !rises || mesh.point(behind(mesh, edge, heading)).y > highest {
+        let from = behind(mesh, edge, heading);
+        if !rises || mesh.point(from).y > highest {
             // At the top there may be a lip that rounding has left.
-            return bridge(mesh, edge, heading, max_slope);
+            return bridge(mesh, from, Some(edge), heading, max_slope);
         }
-        edge = surface_next(mesh, edge, heading);
+        edge = surface_next(mesh, edge, heading)?;
     }
     None
 }

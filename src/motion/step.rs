@@ -106,6 +106,7 @@ impl Body {
 
     /// After an event: sizes and jumps that have waited for it, the new accelerations, the next event.
     pub(super) fn refresh(&mut self, terrain: &Terrain, trace: &mut Trace) {
+        self.come_apart_from_one_way(terrain);
         self.resize_as_wished(terrain, trace);
         self.jump_if_asked(terrain, trace);
         self.part_if_pulled(terrain, trace);
@@ -154,13 +155,14 @@ impl Body {
             since: 0.0,
             touching,
             lock: None,
+            through: None,
         });
     }
 
     /// A jump, if one was asked for not too long ago and there is ground, or was not too long ago; else one from a wall.
     fn jump_if_asked(&mut self, terrain: &Terrain, trace: &mut Trace) {
         let t = terrain.tuning;
-        if !self.within(self.pressed_at, t.jump_buffer) {
+        if !self.within(self.pressed_at, t.jump_buffer) || self.drop_if_asked(terrain, trace) {
             return;
         }
         let grounded = match &self.mode {

@@ -34,7 +34,8 @@ impl Surface {
         let next = surface_next(mesh, self.edge, heading);
         let road = |s| Track::of(mesh.segment(s));
         let same_line = |s: SegmentId| s == self.segment || road(s).same_line(&self.track);
-        match segment_at(mesh, next, mesh.max_slope, same_line) {
+        let next = next.and_then(|next| segment_at(mesh, next, mesh.max_slope, same_line));
+        match next {
             Some(s) if !same_line(s) => self.track.parameter_at_joint(segment, &road(s), vertex),
             _ => self.track.parameter_of(vertex),
         }
@@ -56,10 +57,7 @@ impl Surface {
         if mesh.chain(self.segment).len() == 2 || self.against != 0.0 {
             return p;
         }
-        let along =
-            mesh.point(mesh.dest(self.edge)).metres() - mesh.point(mesh.origin(self.edge)).metres();
-        let depth = depth_beyond(mesh, self.edge, p) / along.length_squared();
-        let lifted = p + along.perp() * depth.max(0.0);
+        let lifted = beside(mesh, self.edge, p);
         // Under a ceiling of the same face: rather beside this edge than beyond that one.
         let second = mesh.lnext(self.edge);
         let others = [second, mesh.lnext(second)];
@@ -80,6 +78,13 @@ impl Surface {
             Heading::Against
         }
     }
+}
+
+/// The position on an edge nearest to one on its right; one on its left as it is.
+pub(super) fn beside(mesh: Ground, e: EdgeId, p: DVec2) -> DVec2 {
+    let along = mesh.point(mesh.dest(e)).metres() - mesh.point(mesh.origin(e)).metres();
+    let depth = depth_beyond(mesh, e, p) / along.length_squared();
+    p + along.perp() * depth.max(0.0)
 }
 
 /// How far a position lies on the right of an edge, times its length. Measured from the lower end, for the mirror's sake.

@@ -2,7 +2,8 @@
 
 use super::body::Size;
 use super::mover::Mover;
-use crate::mesh::{FeatureId, Mesh};
+use super::track::walkable;
+use crate::mesh::{EdgeId, FeatureId, Kind, Mesh, SegmentId};
 use crate::tune::Motion;
 use serde::{Deserialize, Serialize};
 use std::ops::Deref;
@@ -139,12 +140,46 @@ pub struct Ground<'a> {
     pub max_slope: f64,
 }
 
-impl Ground<'_> {
+impl<'a> Ground<'a> {
     /// Whether the ground of a feature is a belt, or has a friction of its own.
     pub fn drives(&self, feature: FeatureId) -> bool {
         self.traits
             .get(feature as usize)
             .is_some_and(|t| t.conveyor != 0.0 || t.friction.is_some())
+    }
+
+    /// Whether a body left of the edge is stopped by it: by a solid on its right, or by the front of a one-way that can be
+    /// stood on. So a one-way is decided by the face that the body comes from, and by nothing else.
+    #[inline]
+    pub fn blocks(&self, e: EdgeId) -> bool {
+        self.mesh.blocks(e) || self.mesh.has_front(e) && self.has_one_way(e)
+    }
+
+    /// Whether a one-way alone stops a body left of the edge.
+    pub fn is_one_way(&self, e: EdgeId) -> bool {
+        !self.mesh.blocks(e) && self.blocks(e)
+    }
+
+    fn has_one_way(&self, e: EdgeId) -> bool {
+        let free = self.mesh.left(e).is_some_and(|f| !self.mesh.is_solid(f));
+        free && self.mesh.fronts(e).any(|s| self.walkable(s))
+    }
+
+    /// The feature edges along an edge that a body left of it can meet: those of solids and of one-ways that have their free
+    /// side, or their front, there. Regions, and one-ways too steep to stand on, stop nobody.
+    pub fn facing(self, e: EdgeId) -> impl Iterator<Item = SegmentId> + 'a {
+        let meets = move |s: &SegmentId| match self.mesh.kind(*s) {
+            Kind::Solid => true,
+            Kind::OneWay => self.walkable(*s),
+            Kind::Region => false,
+        };
+        let facing = self.mesh.uses(e).filter(|u| !u.forward);
+        facing.map(|u| u.segment).filter(meets)
+    }
+
+    /// Whether a feature edge can be stood on.
+    pub fn walkable(&self, s: SegmentId) -> bool {
+        walkable(self.mesh.segment(s), self.max_slope)
     }
 }
 

@@ -44,29 +44,27 @@ pub fn behind(mesh: Ground, e: EdgeId, heading: Heading) -> VertexId {
 ///  ---------V<------ e
 ///    solid
 /// ```
-pub fn surface_next(mesh: Ground, e: EdgeId, heading: Heading) -> EdgeId {
-    match heading {
-        Heading::Along => {
-            let mut f = mesh.lnext(e);
-            while !mesh.blocks(f) {
-                f = mesh.lnext(mesh.sym(f));
-            }
-            f
+///
+/// `None` where the surface ends: at the free end of a one-way the turn comes round to its back.
+pub fn surface_next(mesh: Ground, e: EdgeId, heading: Heading) -> Option<EdgeId> {
+    let beyond = |f| match heading {
+        Heading::Along => mesh.lnext(f),
+        Heading::Against => mesh.lnext(mesh.lnext(f)),
+    };
+    let mut f = beyond(e);
+    while !mesh.blocks(f) {
+        if f == mesh.sym(e) {
+            return None;
         }
-        Heading::Against => {
-            let lprev = |e| mesh.lnext(mesh.lnext(e));
-            let mut f = lprev(e);
-            while !mesh.blocks(f) {
-                f = lprev(mesh.sym(f));
-            }
-            f
-        }
+        f = beyond(mesh.sym(f));
     }
+    Some(f)
 }
 
 /// The feature edge that a body meets at a blocking mesh edge with the free side on its left: `prefer` if it runs there,
-/// else the best of those that have their solid on the other side. Walkable ones come first, then belts and features with
-/// a friction of their own, which may be drawn on a floor, then longer ones, then earlier features; so neither ids of the mesh nor the order of insertion matter. `None` at the world's border.
+/// else the best of those that face it. Walkable ones come first, then belts and features with a friction of their own,
+/// which may be drawn on a floor, then longer ones, then earlier features; so neither ids of the mesh nor the order of
+/// insertion matter. `None` at the world's border.
 pub fn segment_at(
     mesh: Ground,
     e: EdgeId,
@@ -84,13 +82,11 @@ pub fn segment_at(
             std::cmp::Reverse((segment.feature, segment.source)),
         )
     };
-    mesh.uses(e)
-        .filter(|u| !u.forward)
-        .map(|u| u.segment)
-        .max_by_key(rank)
+    mesh.facing(e).max_by_key(rank)
 }
 
-/// The free faces about a vertex between two blocking edges (or all around it).
+/// The free faces about a vertex that can be reached from one of them by turning about it, either way, until an edge blocks
+/// (or all around it). One-ways block from one side only: what is reached from a face need not reach that face.
 struct Fan {
     /// Each face with its clockwise and its counter-clockwise spoke, counter-clockwise in order.
     faces: Vec<(FaceId, EdgeId, EdgeId)>,
@@ -101,18 +97,20 @@ struct Fan {
 /// The fan that holds the left face of `spoke`, an edge out of the vertex.
 fn fan(mesh: Ground, spoke: EdgeId) -> Fan {
     let mut first = spoke;
-    while !mesh.blocks(first) {
+    let mut all_around = false;
+    while !all_around && !mesh.blocks(first) {
         first = mesh.oprev(first);
-        if first == spoke {
-            break;
-        }
+        all_around = first == spoke;
     }
     let mut faces = Vec::new();
     let mut out = first;
+    // What lies clockwise of the spoke has been reached from it, whatever would stop the way back.
+    let mut stops = false;
     while let Some(face) = mesh.left(out) {
+        stops |= out == spoke && !all_around;
         let next = mesh.onext(out);
         faces.push((face, out, next));
-        if mesh.blocks(mesh.sym(next)) {
+        if stops && mesh.blocks(mesh.sym(next)) {
             return Fan {
                 faces,
                 ends: Some((first, mesh.sym(next))),
@@ -196,16 +194,16 @@ pub fn sector(mesh: Ground, spoke: EdgeId, bearing: Bearing) -> Sector {
 /// Looks past the lips and slits that rounding leaves at a vertex: a walkable edge within [`JOINT_STEPS`] of it that
 /// goes on in the given direction, and its feature edge.
 ///
-/// First along the surface beyond `next`, as long as it stays in the box about the vertex; then across slits to
-/// vertices joined with this one by a free edge.
+/// First along the surface beyond `next`, if it goes on, as long as it stays in the box about the vertex; then across slits
+/// to vertices joined with this one by a free edge.
 pub fn bridge(
     mesh: Ground,
-    next: EdgeId,
+    home: VertexId,
+    next: Option<EdgeId>,
     heading: Heading,
     max_slope: f64,
 ) -> Option<(EdgeId, SegmentId)> {
-    let home = behind(mesh, next, heading);
-    along_surface(mesh, next, heading, max_slope, mesh.point(home))
+    next.and_then(|next| along_surface(mesh, next, heading, max_slope, mesh.point(home)))
         .or_else(|| across_slit(mesh, home, heading, max_slope))
 }
 
@@ -235,7 +233,7 @@ fn along_surface(
         if !near(mesh.point(ahead(mesh, e, heading)), home) {
             return None;
         }
-        e = surface_next(mesh, e, heading);
+        e = surface_next(mesh, e, heading)?;
     }
     None
 }

@@ -6,6 +6,7 @@ mod degenerate;
 mod edits;
 mod found;
 mod ground;
+mod one_ways;
 mod rig;
 mod slopes;
 mod stress;

@@ -1,9 +1,9 @@
 //! Scenes in a few words: solids, a collider, a tuning; run as they are, mirrored and shifted.
 
-use edgewalker::geom::{Collider, ExpandedEdge, Point, Source, expand};
-use edgewalker::mesh::Mesh;
+use edgewalker::geom::{Collider, ExpandedEdge, Point, Source, expand, expand_one_way};
+use edgewalker::mesh::{Kind, Mesh};
 use edgewalker::motion::{
-    Body, Control, EventKind, Mode, Size, Terrain, Trace, Traits, check::check,
+    Body, Control, EventKind, Mode, Region, Size, Terrain, Trace, Traits, check::check,
 };
 use edgewalker::tune::Motion;
 use glam::DVec2;
@@ -37,6 +37,11 @@ impl Variant {
         }
     }
 
+    /// A height.
+    pub fn back_y(self, y: f64) -> f64 {
+        self.back(v(0.0, y)).y
+    }
+
     fn velocity(self, v: DVec2) -> DVec2 {
         if self == Variant::Mirrored {
             DVec2::new(-v.x, v.y)
@@ -52,6 +57,10 @@ pub struct Scene {
     pub solids: Vec<Vec<DVec2>>,
     /// Edges without an inside, for the point alone: they cut free space and stop nobody.
     pub wires: Vec<(DVec2, DVec2)>,
+    /// Polylines; walked from left to right their front is up.
+    pub one_ways: Vec<Vec<DVec2>>,
+    /// Regions by the reference point.
+    pub regions: Vec<(Region, Vec<DVec2>)>,
     pub stand: Collider,
     pub crouch: Collider,
     pub tuning: Motion,
@@ -98,6 +107,8 @@ impl Scene {
         Scene {
             solids: Vec::new(),
             wires: Vec::new(),
+            one_ways: Vec::new(),
+            regions: Vec::new(),
             stand: Collider::point(),
             crouch: Collider::point(),
             tuning: plain(),
@@ -138,6 +149,20 @@ impl Scene {
         self
     }
 
+    pub fn one_way(mut self, line: &[(f64, f64)]) -> Scene {
+        self.one_ways
+            .push(line.iter().map(|&(x, y)| v(x, y)).collect());
+        self
+    }
+
+    /// A box that is a region. Its id as a feature follows those of all solids, wires and one-ways.
+    pub fn region(mut self, kind: Region, x: (f64, f64), y: (f64, f64)) -> Scene {
+        let corners = [(x.0, y.0), (x.1, y.0), (x.1, y.1), (x.0, y.1)];
+        self.regions
+            .push((kind, corners.map(|(x, y)| v(x, y)).to_vec()));
+        self
+    }
+
     pub fn rect(self, x: (f64, f64), y: (f64, f64)) -> Scene {
         self.solid(&[(x.0, y.0), (x.1, y.0), (x.1, y.1), (x.0, y.1)])
     }
@@ -151,8 +176,8 @@ impl Scene {
     }
 
     pub fn mesh(&self, variant: Variant, collider: &Collider) -> Mesh {
-        let snap = |solid: &Vec<DVec2>| {
-            let mut outline: Vec<_> = solid
+        let snap = |corners: &[DVec2]| {
+            let mut outline: Vec<_> = corners
                 .iter()
                 .map(|&p| Point::snap(variant.there(p)).unwrap())
                 .collect();
@@ -161,14 +186,41 @@ impl Scene {
             }
             outline
         };
-        let outlines = self.solids.iter().map(|s| expand(&snap(s), collider));
+        let outlines = self
+            .solids
+            .iter()
+            .map(|s| (Kind::Solid, expand(&snap(s), collider)));
         let wires = self.wires.iter().map(|&(a, b)| {
             let [a, b] = [a, b].map(|p| Point::snap(variant.there(p)).unwrap());
             let source = Source::Edge { edge: 0 };
-            vec![ExpandedEdge { a, b, source }]
+            (Kind::Solid, vec![ExpandedEdge { a, b, source }])
         });
-        let features: Vec<_> = outlines.chain(wires).collect();
-        Mesh::build(&features).unwrap()
+        let one_ways = self
+            .one_ways
+            .iter()
+            .map(|line| (Kind::OneWay, expand_one_way(&snap(line), collider)));
+        let regions = self
+            .regions
+            .iter()
+            .map(|(_, outline)| (Kind::Region, expand(&snap(outline), &Collider::point())));
+        let features = outlines.chain(wires).chain(one_ways).chain(regions);
+        let features: Vec<_> = (0..).zip(features).map(|(id, (k, e))| (id, k, e)).collect();
+        Mesh::of(&features).unwrap()
+    }
+
+    /// The traits of all features, in the order of the mesh.
+    fn all_traits(&self, variant: Variant) -> Vec<Traits> {
+        let others = self.solids.len() + self.wires.len() + self.one_ways.len();
+        let mut traits = self.traits.clone();
+        traits.resize(others, Traits::default());
+        traits.extend(self.regions.iter().map(|&(region, _)| Traits {
+            region,
+            ..Traits::default()
+        }));
+        if variant == Variant::Mirrored {
+            traits.iter_mut().for_each(|t| t.conveyor = -t.conveyor);
+        }
+        traits
     }
 
     /// Runs a test on the scene in all variants.
@@ -184,10 +236,7 @@ impl Scene {
             self.mesh(variant, &self.stand),
             self.mesh(variant, &self.crouch),
         );
-        let mut traits = self.traits.clone();
-        if variant == Variant::Mirrored {
-            traits.iter_mut().for_each(|t| t.conveyor = -t.conveyor);
-        }
+        let traits = self.all_traits(variant);
         let terrain = Terrain {
             traits: &traits,
             ..Terrain::new(&stand, &crouch, &self.tuning)
@@ -288,6 +337,10 @@ impl Run<'_> {
         })
     }
 
+    pub fn up(&mut self, up: bool) -> &mut Self {
+        self.control(Control { up, ..self.control })
+    }
+
     /// Moves up to a time and checks the invariants there.
     pub fn advance(&mut self, to: f64) -> &mut Self {
         let body = self.body.as_mut().unwrap();
@@ -359,7 +412,7 @@ impl Run<'_> {
     }
 
     /// Position to a tolerance; in the shifted variant no closer than the coordinates allow.
-    pub fn near(&self, x: f64, y: f64, tolerance: f64) -> &Self {
+    pub fn near(&mut self, x: f64, y: f64, tolerance: f64) -> &mut Self {
         let tolerance = if self.variant == Variant::Shifted {
             tolerance.max(1e-11)
         } else {
