@@ -22,18 +22,9 @@ fn main() {
     divan::main();
 }
 
-/// Half-width of the square that the polygons lie in, in metres.
-const HALF: f64 = 195.0;
-
 /// 1e4 overlapping octagons of radius 0.5 to 4: about 112 thousand vertices with the crossings.
 fn features() -> Vec<Vec<ExpandedEdge>> {
-    let mut dice = Dice::new(1);
-    let mut polygon = || {
-        let centre = DVec2::new(dice.between(-HALF, HALF), dice.between(-HALF, HALF));
-        let radius = dice.between(0.5, 4.0);
-        worlds::star(&mut dice, centre, 8, radius * 0.8, radius)
-    };
-    let world: Vec<_> = (0..10_000).map(|_| polygon()).collect();
+    let world = worlds::octagons(&mut Dice::new(1), 10_000);
     worlds::expanded(&worlds::snapped(&world), &Collider::point())
 }
 
@@ -71,12 +62,13 @@ fn locate_near(bencher: Bencher) {
 fn sweep_edges(bencher: Bencher) {
     let mesh = Mesh::build(&features()).unwrap();
     let mut dice = Dice::new(4);
+    let half = worlds::octagons_half_width(10_000);
     let mut sweeps = Vec::new();
     let mut edges = 0;
     for _ in 0..32 {
         let p = DVec2::new(
-            dice.between(-HALF, HALF) * 0.6,
-            dice.between(-HALF, HALF) * 0.6,
+            dice.between(-half, half) * 0.6,
+            dice.between(-half, half) * 0.6,
         );
         let Some(Place::Face(face)) = mesh.locate(p, None) else {
             continue;
@@ -112,3 +104,48 @@ fn move_one_among_1000(bencher: Bencher) {
         next = if next == 1999 { 1000 } else { next + 1 };
     });
 }
+
+/// A mesh of about 11 vertices for each of some octagons, and others to put in, all over it.
+fn crowd(octagons: usize) -> (Mesh, Vec<Vec<ExpandedEdge>>) {
+    let mut dice = Dice::new(5);
+    let world = worlds::octagons(&mut dice, octagons);
+    let half = worlds::octagons_half_width(octagons) * 0.8;
+    let others: Vec<_> = (0..512).map(|_| worlds::octagon(&mut dice, half)).collect();
+    let [world, others] = [world, others]
+        .map(|outlines| worlds::expanded(&worlds::snapped(&outlines), &Collider::point()));
+    (Mesh::build(&world).unwrap(), others)
+}
+
+/// Numbers of octagons that make meshes of 1e3, 1e4 and 1e5 vertices.
+const CROWDS: [usize; 3] = [90, 900, 9000];
+
+/// Inserts one platform of 8 vertices somewhere; its removal is not counted.
+#[divan::bench(args = CROWDS)]
+fn insert_a_platform(bencher: Bencher, octagons: usize) {
+    let (mesh, others) = crowd(octagons);
+    let (mesh, mut i) = (std::cell::RefCell::new(mesh), 0);
+    bencher
+        .with_inputs(|| {
+            // All but the first time, take out what went in the time before.
+            let _ = mesh.borrow_mut().remove(PLATFORM);
+            i = (i + 1) % others.len();
+            &others[i]
+        })
+        .bench_local_values(|edges| mesh.borrow_mut().insert(PLATFORM, edges).unwrap());
+}
+
+/// Removes one platform of 8 vertices; its insertion is not counted.
+#[divan::bench(args = CROWDS)]
+fn remove_a_platform(bencher: Bencher, octagons: usize) {
+    let (mesh, others) = crowd(octagons);
+    let (mesh, mut i) = (std::cell::RefCell::new(mesh), 0);
+    bencher
+        .with_inputs(|| {
+            i = (i + 1) % others.len();
+            mesh.borrow_mut().insert(PLATFORM, &others[i]).unwrap();
+        })
+        .bench_local_values(|()| mesh.borrow_mut().remove(PLATFORM).unwrap());
+}
+
+/// An id that no other feature has.
+const PLATFORM: u32 = 1 << 20;

@@ -2,10 +2,14 @@
 
 mod common;
 
+use common::checker;
 use common::soups::{covers_agree, polygons, segment, small_collider, sound};
-use common::worlds::{Dice, wire};
-use edgewalker::geom::{Collider, ExpandedEdge, Point, Source, check_outline, expand};
-use edgewalker::mesh::{FeatureId, Mesh};
+use common::worlds::{self, Dice, wire};
+use edgewalker::geom::{
+    Collider, ExpandedEdge, Point, Source, check_outline, expand, expand_about, expand_one_way,
+};
+use edgewalker::mesh::{FeatureId, Kind, Mesh};
+use glam::DVec2;
 use std::collections::BTreeSet;
 
 /// A mesh made by inserting features in a given order.
@@ -238,6 +242,118 @@ fn covers_agree_but_wires(mesh: &Mesh, wire: FeatureId) {
     let mut without = mesh.clone();
     without.remove(wire).unwrap();
     covers_agree(&without, &"comb");
+}
+
+/// A random world of a family on the grid, moved and turned, as features of all kinds.
+fn mixed_world(name_of: worlds::Family, seed: u64) -> Vec<(FeatureId, Kind, Vec<ExpandedEdge>)> {
+    let mut dice = Dice::new(seed);
+    let world = name_of.1(&mut dice, 24);
+    let angle = [0.0, 0.7, 2.4][seed as usize % 3];
+    let offset = DVec2::new(dice.between(-900.0, 900.0), dice.between(-900.0, 900.0));
+    let outlines = worlds::snapped(&worlds::placed(&world, offset, angle));
+    let collider = Collider::hero();
+    let feature = |(id, outline): (FeatureId, &Vec<Point>)| match id % 4 {
+        0 => (id, Kind::OneWay, expand_one_way(outline, &collider)),
+        1 => (
+            id,
+            Kind::Region,
+            expand_about(outline, Point::new(0, 55_000)),
+        ),
+        _ => (id, Kind::Solid, expand(outline, &collider)),
+    };
+    (0..).zip(&outlines).map(feature).collect()
+}
+
+/// In CI 60 edits for each family; `MESH_EDITS=1000` makes the long run.
+#[test]
+fn a_thousand_edits_of_each_family_equal_a_rebuild() {
+    let edits = worlds::setting("MESH_EDITS", 60);
+    for (seed, family) in (0..).zip(worlds::families()) {
+        let features = mixed_world(family, seed);
+        let whole = Mesh::of(&features).unwrap();
+        let mut mesh = whole.clone();
+        let mut present: BTreeSet<usize> = (0..features.len()).collect();
+        let mut dice = Dice::new(seed + 50);
+        for edit in 0..edits {
+            let i = dice.below(features.len() as u32) as usize;
+            let (id, kind, edges) = &features[i];
+            if present.remove(&i) {
+                mesh.remove(*id).unwrap();
+            } else {
+                present.insert(i);
+                mesh.insert_as(*id, *kind, edges).unwrap();
+            }
+            let rest: Vec<_> = present.iter().rev().map(|&i| features[i].clone()).collect();
+            let rebuilt = Mesh::of(&rest).unwrap();
+            assert_eq!(
+                mesh.hash(),
+                rebuilt.hash(),
+                "{} after {edit} edits",
+                family.0
+            );
+        }
+        checker::check(&mesh).unwrap_or_else(|wrong| panic!("{}: {wrong}", family.0));
+        sound(&mesh, &family.0);
+        for (i, (id, kind, edges)) in features.iter().enumerate() {
+            if present.insert(i) {
+                mesh.insert_as(*id, *kind, edges).unwrap();
+            }
+        }
+        assert_eq!(mesh.hash(), whole.hash(), "{}: all of it again", family.0);
+    }
+}
+
+/// How many vertices of a mesh lie in a box about some edges, with a margin in steps around it.
+fn vertices_near(mesh: &Mesh, edges: &[ExpandedEdge], margin: i32) -> usize {
+    let low = |c: fn(&ExpandedEdge) -> i32| edges.iter().map(c).min().unwrap() - margin;
+    let high = |c: fn(&ExpandedEdge) -> i32| edges.iter().map(c).max().unwrap() + margin;
+    let (x, y) = (
+        low(|e| e.a.x)..=high(|e| e.a.x),
+        low(|e| e.a.y)..=high(|e| e.a.y),
+    );
+    let points = mesh.vertices().map(|v| mesh.point(v));
+    points
+        .filter(|p| x.contains(&p.x) && y.contains(&p.y))
+        .count()
+}
+
+#[test]
+fn edits_touch_the_vertices_in_their_box_however_large_the_mesh() {
+    let mut means = Vec::new();
+    for octagons in [90, 900, 9000] {
+        let mut dice = Dice::new(6);
+        let world = worlds::snapped(&worlds::octagons(&mut dice, octagons));
+        let mut mesh = Mesh::build(&worlds::expanded(&world, &Collider::point())).unwrap();
+        let before = mesh.hash();
+        let half = worlds::octagons_half_width(octagons) - 6.0;
+        let mut total = 0;
+        for round in 0..60 {
+            let platform = worlds::snapped(&[worlds::octagon(&mut dice, half)]).remove(0);
+            let edges = expand(&platform, &Collider::point());
+            let insert = |mesh: &mut Mesh| mesh.insert(1 << 20, &edges).unwrap();
+            let remove = |mesh: &mut Mesh| mesh.remove(1 << 20).unwrap();
+            insert(&mut mesh);
+            // 3 m: in the gaps between octagons, free edges reach about so far.
+            let near = vertices_near(&mesh, &edges, 3 * 65_536);
+            let inserted = mesh.touched();
+            remove(&mut mesh);
+            let removed = mesh.touched();
+            assert!(
+                inserted <= near && removed <= near,
+                "{octagons}, {round}: {inserted} and {removed} of {near} near it"
+            );
+            assert!(inserted >= 8 && removed >= 8, "at least its own corners");
+            total += inserted + removed;
+        }
+        assert_eq!(mesh.hash(), before);
+        means.push((mesh.vertices().count(), total as f64 / 120.0));
+    }
+    let (small, large) = (means[0], means[2]);
+    assert!(small.0 < 1500 && large.0 > 90_000, "{means:?}");
+    assert!(
+        large.1 < 1.3 * small.1,
+        "vertices, touched on average: {means:?}"
+    );
 }
 
 #[test]

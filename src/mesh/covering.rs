@@ -32,7 +32,6 @@ impl Mesh {
     /// Gives new faces their covers, leaving one feature out of account.
     pub(super) fn spread(&mut self, without: Option<FeatureId>) {
         let new = self.triangulation.topology.take_touched();
-        self.rewired = new.len();
         let mut covers = std::mem::replace(&mut self.covers, Covers::new());
         let is_free = |e: Quarter| self.uses.is_empty(e);
         covers.spread(&self.triangulation.topology, &new, &is_free, &|e, gains| {
@@ -40,6 +39,7 @@ impl Mesh {
             gains.retain(|g| Some(g.0) != without);
         });
         self.covers = covers;
+        self.rewired = new;
     }
 
     /// Adds a feature that was just inserted to the covers of the faces inside it.

@@ -84,7 +84,8 @@ impl Mesh {
             kinds: Vec::new(),
             winds: Vec::new(),
             features: BTreeMap::new(),
-            rewired: 0,
+            rewired: Vec::new(),
+            buried: 0,
         };
         mesh.spread(None);
         mesh
@@ -194,6 +195,7 @@ impl Mesh {
 
     /// Makes the triangulation follow the arrangement: all changed chains out, then all in.
     fn apply(&mut self, diff: &Diff) {
+        self.buried = diff.dead.len();
         for route in &diff.rerouted {
             for pair in route.old.windows(2) {
                 let e = self.piece(pair);

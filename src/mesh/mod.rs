@@ -189,8 +189,10 @@ pub struct Mesh {
     /// Per segment: whether its feature covers what it winds around, so that crossing it changes the cover.
     winds: Vec<bool>,
     features: BTreeMap<FeatureId, Feature>,
-    /// Faces that the last edit made or changed.
-    rewired: usize,
+    /// Faces that the last edit made, changed or removed.
+    rewired: Vec<u32>,
+    /// How many vertices it removed.
+    buried: usize,
 }
 
 /// The edges of one feature.
@@ -414,7 +416,20 @@ impl Mesh {
 
     /// How many faces the last edit made, changed or removed: a measure of its locality.
     pub fn rewired(&self) -> usize {
-        self.rewired
+        self.rewired.len()
+    }
+
+    /// How many vertices the last edit made, removed, or left with other faces around them.
+    pub fn touched(&self) -> usize {
+        let t = self.topology();
+        let faces = self.rewired.iter().filter(|&&f| t.is_face(f));
+        let mut vertices: Vec<u32> = faces
+            .flat_map(|&f| t.sides(f))
+            .map(|e| t.origin(e))
+            .collect();
+        vertices.sort_unstable();
+        vertices.dedup();
+        vertices.len() + self.buried
     }
 
     /// How many different covers of faces there is room for; edits use the room of covers that are gone again.

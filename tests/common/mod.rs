@@ -1,5 +1,6 @@
 //! What the mesh tests share.
 
+pub mod checker;
 pub mod slow;
 pub mod soups;
 pub mod worlds;

@@ -109,6 +109,31 @@ pub fn grid(dice: &mut Dice, n: usize) -> Vec<Outline> {
         .collect()
 }
 
+/// A crowd of overlapping octagons, as dense whatever their number: about 11 mesh vertices for each of them.
+pub fn octagons(dice: &mut Dice, n: usize) -> Vec<Outline> {
+    let half = octagons_half_width(n);
+    (0..n).map(|_| octagon(dice, half)).collect()
+}
+
+/// Half the width of the square that the centres of [`octagons`] lie in, m.
+pub fn octagons_half_width(n: usize) -> f64 {
+    1.95 * (n as f64).sqrt()
+}
+
+/// One octagon of radius 0.5 to 4 with its centre in a square.
+pub fn octagon(dice: &mut Dice, half: f64) -> Outline {
+    let centre = DVec2::new(dice.between(-half, half), dice.between(-half, half));
+    let radius = dice.between(0.5, 4.0);
+    star(dice, centre, 8, radius * 0.8, radius)
+}
+
+/// A number that a long run by hand sets in the environment, and what it is otherwise.
+pub fn setting(name: &str, default: usize) -> usize {
+    std::env::var(name)
+        .ok()
+        .map_or(default, |s| s.parse().expect("a number"))
+}
+
 /// A family by name: worlds of some size by the dice.
 pub type Family = (&'static str, fn(&mut Dice, usize) -> Vec<Outline>);
 
