@@ -49,7 +49,7 @@ impl Footing {
 
     /// The law at a speed.
     pub fn law(&self, speed: f64, control: &Control, crouched: bool, t: &Motion) -> Law {
-        match self.wish(control, crouched, t) {
+        let law = match self.wish(control, crouched, t) {
             0.0 => self.coast(speed, t),
             wish => drive(
                 speed,
@@ -59,7 +59,8 @@ impl Footing {
                 t.run_brake,
                 t.over_speed_decay,
             ),
-        }
+        };
+        law.up_to_turn(speed)
     }
 
     /// The speed at which the law ends that holds at rest: the belt's and the wished one.
@@ -156,10 +157,24 @@ mod tests {
         let at = |speed: f64, run: f64| belt.law(speed, &running(run), false, &t);
         assert_eq!(at(-3.0, 0.0), Law::REST);
         assert_eq!(at(0.0, 0.0), law(-t.run_brake, -3.0));
-        assert_eq!(at(-3.0, 1.0), law(t.run_accel, 5.0));
+        assert_eq!(at(-3.0, 1.0), law(t.run_accel, 0.0));
+        assert_eq!(at(0.0, 1.0), law(t.run_accel, 5.0));
         assert_eq!(at(-4.0, 1.0), law(t.run_brake, -3.0));
         assert_eq!(at(5.0, 1.0), Law::REST);
         assert_eq!(belt.steady(&running(-0.5), false, &t), -7.0);
+    }
+
+    #[test]
+    fn a_law_ends_where_the_speed_turns() {
+        let t = Motion::default();
+        let traits = Traits {
+            conveyor: 3.0,
+            ..Traits::default()
+        };
+        let belt = ground(0, 1, traits, &t);
+        let at = |speed: f64| belt.law(speed, &running(-1.0), false, &t);
+        assert_eq!(at(2.0), law(-t.run_accel, 0.0));
+        assert_eq!(at(0.0), law(-t.run_accel, -5.0));
     }
 
     /// 3:4:5, 8:15:17, 20:21:29, and one step in a hundred million.

@@ -34,6 +34,15 @@ impl Law {
         }
     }
 
+    /// The same, but no further than to the turn, if the speed turns before.
+    pub(super) fn up_to_turn(self, speed: f64) -> Law {
+        let turns = speed * self.accel < 0.0 && self.until.is_none_or(|until| until * speed < 0.0);
+        Law {
+            until: if turns { Some(0.0) } else { self.until },
+            ..self
+        }
+    }
+
     /// How long it holds from a speed on.
     pub fn time_left(&self, speed: f64) -> Option<f64> {
         self.until.map(|until| (until - speed) / self.accel)
