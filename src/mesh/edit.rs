@@ -159,7 +159,7 @@ impl Mesh {
     /// Notes which segments are whose.
     fn record(&mut self, entry: &Entry, ids: &[SegmentId]) {
         let &Entry { id, kind, edges } = entry;
-        let (feature, winds) = (id, kind != Kind::OneWay && is_closed(edges));
+        let (feature, winds) = (id, !kind.has_fronts() && is_closed(edges));
         for (id, edge) in ids.iter().zip(edges) {
             let &ExpandedEdge { a, b, source } = edge;
             let segment = Segment {
@@ -219,8 +219,8 @@ impl Mesh {
             for pair in chain.windows(2) {
                 let e = self.triangulation.enforce(pair[0].0, pair[1].0);
                 self.triangulation.fix(e);
-                let one_way = self.kinds[segment.index()] == Kind::OneWay;
-                self.uses.add(e, segment, one_way, &self.segments);
+                let front = self.kinds[segment.index()].has_fronts();
+                self.uses.add(e, segment, front, &self.segments);
             }
         }
         self.triangulation.legalise();

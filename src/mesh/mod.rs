@@ -59,6 +59,15 @@ pub enum Kind {
     OneWay,
     /// A closed chain of edges around a place that bodies can be in; it stops nobody.
     Region,
+    /// Edges without anything between them that stop a body from either side: each comes twice, there and back.
+    Line,
+}
+
+impl Kind {
+    /// Whether its edges stop bodies by what they are, and not by what they enclose.
+    pub(crate) fn has_fronts(self) -> bool {
+        matches!(self, Kind::OneWay | Kind::Line)
+    }
 }
 
 /// A directed primal edge of the quad-edge structure.
@@ -358,15 +367,16 @@ impl Mesh {
         !self.covers.is_solid(t.left(e.0)) && self.covers.is_solid(t.left(topology::sym(e.0)))
     }
 
-    /// Whether the front of some one-way lies left of the edge: it may stop a body that comes from there.
+    /// Whether the front of some one-way or line lies left of the edge: it may stop a body that comes from there.
     #[inline]
     pub fn has_front(&self, e: EdgeId) -> bool {
         self.uses.has_front(e.0)
     }
 
-    /// The one-way feature edges along an edge that have their front on its left, in the order of [`Mesh::uses`].
+    /// The feature edges of one-ways and lines along an edge that have their front on its left, in the order of
+    /// [`Mesh::uses`].
     pub fn fronts(&self, e: EdgeId) -> impl Iterator<Item = SegmentId> + '_ {
-        let front = |u: &Use| !u.forward && self.kind(u.segment) == Kind::OneWay;
+        let front = |u: &Use| !u.forward && self.kind(u.segment).has_fronts();
         self.uses.of(e.0).filter(front).map(|u| u.segment)
     }
 

@@ -148,33 +148,38 @@ impl<'a> Ground<'a> {
             .is_some_and(|t| t.conveyor != 0.0 || t.friction.is_some())
     }
 
-    /// Whether a body left of the edge is stopped by it: by a solid on its right, or by the front of a one-way that can be
-    /// stood on. So a one-way is decided by the face that the body comes from, and by nothing else.
+    /// Whether a body left of the edge is stopped by it: by a solid on its right, by a line, or by the front of a one-way that
+    /// can be stood on. So a one-way is decided by the face that the body comes from, and by nothing else.
     #[inline]
     pub fn blocks(&self, e: EdgeId) -> bool {
-        self.mesh.blocks(e) || self.mesh.has_front(e) && self.has_one_way(e)
+        self.mesh.blocks(e) || self.mesh.has_front(e) && self.has_front_that_stops(e)
     }
 
-    /// Whether a one-way alone stops a body left of the edge.
+    /// Whether one-ways alone stop a body left of the edge.
     pub fn is_one_way(&self, e: EdgeId) -> bool {
-        !self.mesh.blocks(e) && self.blocks(e)
+        let is_line = |s: SegmentId| self.mesh.kind(s) == Kind::Line;
+        !self.mesh.blocks(e) && self.blocks(e) && !self.mesh.fronts(e).any(is_line)
     }
 
-    fn has_one_way(&self, e: EdgeId) -> bool {
+    fn has_front_that_stops(&self, e: EdgeId) -> bool {
         let free = self.mesh.left(e).is_some_and(|f| !self.mesh.is_solid(f));
-        free && self.mesh.fronts(e).any(|s| self.walkable(s))
+        free && self.mesh.fronts(e).any(|s| self.stops(s))
     }
 
     /// The feature edges along an edge that a body left of it can meet: those of solids and of one-ways that have their free
     /// side, or their front, there. Regions, and one-ways too steep to stand on, stop nobody.
     pub fn facing(self, e: EdgeId) -> impl Iterator<Item = SegmentId> + 'a {
-        let meets = move |s: &SegmentId| match self.mesh.kind(*s) {
-            Kind::Solid => true,
-            Kind::OneWay => self.walkable(*s),
-            Kind::Region => false,
-        };
         let facing = self.mesh.uses(e).filter(|u| !u.forward);
-        facing.map(|u| u.segment).filter(meets)
+        facing.map(|u| u.segment).filter(move |&s| self.stops(s))
+    }
+
+    /// Whether a feature edge stops who comes from its free side, or its front.
+    fn stops(&self, s: SegmentId) -> bool {
+        match self.mesh.kind(s) {
+            Kind::Solid | Kind::Line => true,
+            Kind::OneWay => self.walkable(s),
+            Kind::Region => false,
+        }
     }
 
     /// Whether a feature edge can be stood on.

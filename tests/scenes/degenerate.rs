@@ -210,6 +210,46 @@ fn scene_08_a_slab_a_step_thick_stops_ten_kilometres_a_second() {
 }
 
 #[test]
+fn scene_09_a_line_stops_ten_kilometres_a_second_from_both_sides() {
+    let scene = Scene::point().line((-10.0, 0.0), (10.0, 0.0));
+    let time = |run: &Run, at: f64| {
+        let slack = if run.variant == Variant::Shifted {
+            1e-12
+        } else {
+            1e-15
+        };
+        close(
+            run.when(|k| matches!(k, EventKind::Landed(_) | EventKind::Hit(_))),
+            at,
+            slack,
+        );
+        close(run.at().y, 0.0, 1e-18);
+    };
+    scene.each(|run| {
+        run.spawn(0.0, 100.0).velocity(0.0, -10_000.0).advance(0.02);
+        time(run, 0.00999985000449983);
+        assert!(run.supported());
+        run.frozen(60);
+    });
+    scene.each(|run| {
+        // Upwards: 100 = 10000 t - 15 t^2.
+        run.spawn(0.0, -100.0).velocity(0.0, 10_000.0);
+        let t = 2.0 * 100.0 / (10_000.0 + (1e8f64 - 60.0 * 100.0).sqrt());
+        run.advance(t * (1.0 + 1e-9));
+        time(run, t);
+        run.advance(t + 1.0).near(0.0, -15.0, 1e-5);
+        // Along its end, out from under it, and back onto it from above.
+        run.velocity(10.0, 0.0).advance(t + 3.0);
+        assert!(run.at().x > 10.0 && run.airborne());
+    });
+    scene.each(|run| {
+        run.spawn(9.0, 1.0).advance(1.0).walk(5.0).advance(1.4);
+        close(run.when(|k| k == EventKind::Left), 1.2, 1e-12);
+        assert!(run.airborne() && run.at().y < 0.0);
+    });
+}
+
+#[test]
 fn scene_10_the_first_of_seven_slabs_stops() {
     let slabs = (0..7).fold(Scene::point(), |s, k| {
         let top = -f64::from(2 * k) * STEP;

@@ -61,6 +61,8 @@ pub struct Scene {
     pub one_ways: Vec<Vec<DVec2>>,
     /// Regions by the reference point.
     pub regions: Vec<(Region, Vec<DVec2>)>,
+    /// Edges without an inside, for the point alone: they stop who comes from either side.
+    pub lines: Vec<(DVec2, DVec2)>,
     pub stand: Collider,
     pub crouch: Collider,
     pub tuning: Motion,
@@ -109,6 +111,7 @@ impl Scene {
             wires: Vec::new(),
             one_ways: Vec::new(),
             regions: Vec::new(),
+            lines: Vec::new(),
             stand: Collider::point(),
             crouch: Collider::point(),
             tuning: plain(),
@@ -163,6 +166,12 @@ impl Scene {
         self
     }
 
+    /// A line without area that stops from both sides, for the point alone.
+    pub fn line(mut self, a: (f64, f64), b: (f64, f64)) -> Scene {
+        self.lines.push((v(a.0, a.1), v(b.0, b.1)));
+        self
+    }
+
     pub fn rect(self, x: (f64, f64), y: (f64, f64)) -> Scene {
         self.solid(&[(x.0, y.0), (x.1, y.0), (x.1, y.1), (x.0, y.1)])
     }
@@ -203,7 +212,20 @@ impl Scene {
             .regions
             .iter()
             .map(|(_, outline)| (Kind::Region, expand(&snap(outline), &Collider::point())));
-        let features = outlines.chain(wires).chain(one_ways).chain(regions);
+        let lines = self.lines.iter().map(|&(a, b)| {
+            let [a, b] = [a, b].map(|p| Point::snap(variant.there(p)).unwrap());
+            let edge = |a, b, edge| ExpandedEdge {
+                a,
+                b,
+                source: Source::Edge { edge },
+            };
+            (Kind::Line, vec![edge(a, b, 0), edge(b, a, 1)])
+        });
+        let features = outlines
+            .chain(wires)
+            .chain(one_ways)
+            .chain(regions)
+            .chain(lines);
         let features: Vec<_> = (0..).zip(features).map(|(id, (k, e))| (id, k, e)).collect();
         Mesh::of(&features).unwrap()
     }
