@@ -1,6 +1,7 @@
 //! In the air: free faces are crossed, blocking edges are hit.
 
 use super::body::{Air, Body, EventKind, Mode, Next, Surface, Trace, Wedge};
+use super::grip::Grip;
 use super::law;
 use super::roots::exit;
 use super::terrain::{Ground, Terrain};
@@ -181,6 +182,7 @@ impl Body {
             Some(segment) => self.contact(segment, edge, terrain, trace),
             None => self.wedge(at, edge, terrain, trace),
         }
+        self.catch_ledge(terrain, trace);
     }
 
     /// Meets a feature edge on one of its pieces. At an end of the piece, as rounding goes, the vertex decides.
@@ -195,6 +197,11 @@ impl Body {
         {
             // Moving off: only a lip that rounding has left is in the way, less than a step high.
             air.touching[1] = Some(segment);
+            return;
+        }
+        if self.correct_corner(edge, segment, terrain, trace)
+            || self.correct_ledge(edge, segment, terrain, trace)
+        {
             return;
         }
         let s = track.parameter(at);
@@ -268,6 +275,7 @@ impl Body {
             since,
             walkable,
             against,
+            grip: Grip::None,
         });
     }
 
@@ -276,7 +284,7 @@ impl Body {
         let Mode::Surface(on) = &self.mode else {
             return;
         };
-        if !on.walkable && self.pulled_off(&on.track, on.u0, terrain) {
+        if !on.walkable && on.grip == Grip::None && self.pulled_off(&on.track, on.u0, terrain) {
             let (segment, v, face) = (
                 on.segment,
                 on.track.tangent * on.u0,

@@ -1,6 +1,7 @@
 //! The state of one body, and what can be read from it.
 
 pub use super::event::{Event, EventKind, Trace};
+use super::grip::Grip;
 use super::mover::Ride;
 use super::terrain::{Ground, Terrain};
 use super::track::Track;
@@ -85,6 +86,9 @@ pub struct Surface {
     pub walkable: bool,
     /// The sign of the parameter's direction that is walled up here, or 0.
     pub against: f64,
+    /// What the body holds on to, on a wall.
+    #[serde(default)]
+    pub grip: Grip,
 }
 
 /// Held at a vertex by two edges that drive the body back.
@@ -133,6 +137,8 @@ pub(super) enum Next {
     Clear(Option<f64>),
     /// A wall jump holds the direction no longer.
     Unlock,
+    /// The height is reached at which the body hangs from a ledge: this parameter.
+    Grab(f64),
 }
 
 impl Next {
@@ -370,6 +376,7 @@ impl Body {
             mode,
             u8::from(self.size == Size::Crouch),
             u8::from(self.rising),
+            self.grip() as u8,
         ];
         hash.update(&flags);
         let timer = |t: Option<f64>| t.unwrap_or(-1.0);

@@ -2,6 +2,7 @@
 
 use super::body::{Body, EventKind, Mode, Size, Surface, Trace};
 use super::footing::Footing;
+use super::grip::Grip;
 use super::terrain::{Concave, Ground, Terrain};
 use super::track::{Track, cross, dot, walkable};
 use super::vertex::{
@@ -156,7 +157,7 @@ impl Body {
     pub(super) fn pass_vertex(&mut self, terrain: &Terrain, trace: &mut Trace) -> bool {
         let mesh = self.ground(terrain);
         let now = self.time;
-        let Mode::Surface(on) = &mut self.mode else {
+        let Mode::Surface(on) = &self.mode else {
             return false;
         };
         trace.passed += 1;
@@ -172,9 +173,17 @@ impl Body {
             let [from, to] = [on.segment, s].map(|s| mesh.segment(s).feature);
             !on.walkable || terrain.alike(from, to)
         };
-        if let Some((next, s)) = onward.filter(|&(_, s)| same_line(s) && alike(s)) {
+        let straight = onward.filter(|&(_, s)| same_line(s) && alike(s));
+        let regrips = straight.is_some_and(|(next, _)| self.meets_other_grip(next, terrain));
+        let Mode::Surface(on) = &mut self.mode else {
+            return false;
+        };
+        if let Some((next, s)) = straight.filter(|_| !regrips || on.grip == Grip::None) {
             (on.edge, on.segment, on.since) = (next, s, (now - on.t0).max(on.since));
-            return true;
+            if regrips {
+                self.rebase();
+            }
+            return !regrips;
         }
         let joint = Joint::ahead(on, sign, on.speed(now).abs(), mesh);
         let walks = on.walkable;
@@ -211,7 +220,7 @@ impl Body {
                 let (u, into) = (on.sign * up, joint.lost(up));
                 self.settle(on.segment, on.edge, on.start, u, into, terrain, trace);
             }
-            on => self.stop(joint, on, trace, mesh),
+            on => self.stop(&joint, on.as_ref(), trace, mesh),
         }
         false
     }
@@ -339,11 +348,29 @@ impl Body {
             since: 0.0,
             walkable: walkable(feature_edge, terrain.tuning.max_slope),
             against: 0.0,
+            grip: Grip::None,
         });
     }
 
+    /// Round a bend without leaving the surface or losing speed: one who climbs.
+    pub(super) fn go_on(&mut self, way: &Onward, speed: f64, trace: &mut Trace) {
+        let now = self.time;
+        let Mode::Surface(on) = &mut self.mode else {
+            return;
+        };
+        (on.t0, on.s0, on.u0, on.since) = (now, way.start, way.sign * speed, 0.0);
+        (on.segment, on.track, on.edge) = (way.segment, way.track, way.edge);
+        self.log(EventKind::Joint, trace);
+    }
+
     /// At rest before a wall (none: the world's border), which from now on takes up every push.
-    fn stop(&mut self, joint: Joint, wall: Option<Onward>, trace: &mut Trace, mesh: Ground) {
+    pub(super) fn stop(
+        &mut self,
+        joint: &Joint,
+        wall: Option<&Onward>,
+        trace: &mut Trace,
+        mesh: Ground,
+    ) {
         let now = self.time;
         let Mode::Surface(on) = &mut self.mode else {
             return;
@@ -399,8 +426,11 @@ impl Body {
         trace: &mut Trace,
     ) {
         let mesh = self.ground(terrain);
+        if self.climb_joint(&joint, onward.as_ref(), terrain, trace) {
+            return;
+        }
         let Some(on) = onward else {
-            return self.stop(joint, None, trace, mesh);
+            return self.stop(&joint, None, trace, mesh);
         };
         if !on.towards {
             return self.leave(joint, Some(on.edge), terrain, trace);
@@ -436,7 +466,7 @@ impl Body {
             let at = on.track.corner(&joint.track, vertex);
             self.wedge(at, on.edge, terrain, trace);
         } else {
-            self.stop(joint, Some(on), trace, mesh);
+            self.stop(&joint, Some(&on), trace, mesh);
         }
     }
 }

@@ -8,8 +8,8 @@
 //!
 //! In reading order: [`terrain`] and [`mover`] (in what?), [`roots`] (when?), [`track`] (along what?), [`vertex`] (what
 //! next?), [`law`] and [`footing`] (how fast?), [`body`] (the state), [`event`] (what happens to it), `step` (the sequence
-//! of events) with `air`, `corner`, `surface`, `joint`, `snap`, `stair`, [`wall`], `one_way` and `size`, [`Anchor`] (edits under a
-//! body), [`check`] (the invariants).
+//! of events) with `air`, `corner`, `surface`, `joint`, `snap`, `stair`, `one_way` and `size`; [`wall`], [`grip`], [`ledge`]
+//! and `correct` (at walls), [`Anchor`] (edits under a body), [`check`] (the invariants).
 //!
 //! What is absent: swimming, and solids that rotate. Bodies do not meet each other.
 
@@ -17,11 +17,14 @@ mod air;
 pub mod body;
 pub mod check;
 mod corner;
+mod correct;
 mod edit;
 pub mod event;
 pub mod footing;
+pub mod grip;
 mod joint;
 pub mod law;
+pub mod ledge;
 pub mod mover;
 mod one_way;
 pub mod roots;

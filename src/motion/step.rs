@@ -4,6 +4,7 @@ use super::body::{
     Air, Body, Control, Event, EventKind, Mode, Next, Size, SpawnError, Surface, Trace, Wedge,
 };
 use super::footing::Footing;
+use super::grip::Grip;
 use super::law;
 use super::terrain::Terrain;
 use crate::mesh::{FaceId, SegmentId};
@@ -100,6 +101,7 @@ impl Body {
             Next::Vertex => {}
             Next::Clear(parameter) => self.come_clear(parameter),
             Next::Unlock => self.unlock(trace),
+            Next::Grab(parameter) => self.grab(parameter, trace),
         }
         self.refresh(terrain, trace);
     }
@@ -109,6 +111,7 @@ impl Body {
         self.come_apart_from_one_way(terrain);
         self.resize_as_wished(terrain, trace);
         self.jump_if_asked(terrain, trace);
+        self.grip_as_wished(terrain, trace);
         self.part_if_pulled(terrain, trace);
         self.choose_law(terrain);
         if self.press_on(terrain, trace) {
@@ -245,9 +248,10 @@ impl Body {
                 on.accel = law.accel * x;
                 on.limit = limit(on.t0, law, on.u0 * x).map(|(at, until)| (at, until * x));
             }
-            Mode::Surface(on) => {
-                on.choose_slide(&control, slows, t);
-            }
+            Mode::Surface(on) => match on.grip {
+                Grip::None => on.choose_slide(&control, slows, t),
+                _ => on.choose_climb(&control, t),
+            },
             Mode::Wedge(_) | Mode::Crushed(_) => {}
         }
     }
@@ -278,6 +282,7 @@ impl Body {
             Mode::Wedge(_) | Mode::Crushed(_) => None,
         };
         let found = self.sooner_if_clear(found, terrain);
+        let found = self.sooner_if_grabs(found, terrain);
         self.next = self
             .sooner_if_unlocked(found)
             .map(|(at, what)| (at.max(self.time), what));

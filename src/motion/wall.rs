@@ -2,6 +2,7 @@
 //! off, also for a moment after coming off it.
 
 use super::body::{Body, Control, EventKind, Mode, Next, Surface, Trace};
+use super::grip::Grip;
 use super::law::{self, Law};
 use super::terrain::Terrain;
 use super::track::{delta, walkable};
@@ -77,6 +78,11 @@ impl Body {
     /// A jump from the wall that the body is on, or came off not too long ago.
     pub(super) fn wall_jump_if_there(&mut self, terrain: &Terrain, trace: &mut Trace) {
         let t = terrain.tuning;
+        // One who hangs climbs with a jump, unless the stick leads away.
+        let hangs = matches!(self.grip(), Grip::Ledge | Grip::Over);
+        if hangs && !self.turns_from_wall(terrain) {
+            return;
+        }
         let (left, touching) = match &self.mode {
             Mode::Air(air) => (self.off_wall, air.touching),
             _ => (None, [self.segment(), None]),
@@ -85,10 +91,15 @@ impl Body {
         let away = self
             .away_from_wall(terrain)
             .or_else(|| left.map(|wall| wall.away));
-        let Some(away) = away.filter(|_| t.wall_jump_up > 0.0) else {
+        let Some(away) = away else {
             return;
         };
-        let leap = DVec2::new(away * t.wall_jump_out, t.wall_jump_up);
+        let leap = match (t.wall_jump_up > 0.0, self.grip()) {
+            (true, _) => DVec2::new(away * t.wall_jump_out, t.wall_jump_up),
+            (false, Grip::None) => return,
+            // Without wall jumps, one who holds on can still hop off.
+            (false, _) => DVec2::new(away, 1.0) * (0.5 * t.jump_speed),
+        };
         let (p, v) = (self.local_position(), leap);
         let face = self.face(&self.ground(terrain));
         self.fly(p, v, face, touching);

@@ -6,6 +6,7 @@ mod degenerate;
 mod edits;
 mod found;
 mod ground;
+mod ledges;
 mod one_ways;
 mod rig;
 mod slopes;

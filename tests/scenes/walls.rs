@@ -5,17 +5,17 @@ use edgewalker::geom::STEP;
 use edgewalker::motion::EventKind;
 
 /// A wall from x = 0 on, its top at y = 0; nothing below.
-fn cliff() -> Scene {
+pub fn cliff() -> Scene {
     Scene::boxed().rect((0.0, 5.0), (-60.0, 0.0))
 }
 
 /// Steers at 16 m/s^2, and leaves the speed alone when the stick is released.
-fn steering(scene: Scene) -> Scene {
+pub fn steering(scene: Scene) -> Scene {
     scene.tune(|t| (t.air_accel, t.air_brake) = (16.0, 0.0))
 }
 
 /// Runs a test on a scene in all variants with ticks of several lengths: all must print the same.
-fn at_all_rates(scene: &Scene, test: impl Fn(&mut Run, f64)) {
+pub fn at_all_rates(scene: &Scene, test: impl Fn(&mut Run, f64)) {
     let story = std::cell::RefCell::new(Vec::new());
     for rate in [30.0, 60.0, 120.0, 240.0] {
         scene.each(|run| {

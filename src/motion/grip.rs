@@ -1,0 +1,259 @@
+//! Holding on: hanging from a ledge, climbing up onto it, climbing walls that can be climbed.
+//!
+//! A grip belongs to the body's place on a wall and ends with it. While it lasts there is no gravity: the speed along the
+//! wall is driven to the wished one, and nothing else moves the body. Crouched bodies hold on to nothing.
+
+use super::body::{Body, Control, EventKind, Mode, Next, Size, Surface, Trace};
+use super::joint::{Joint, Onward};
+use super::law::Law;
+use super::ledge::{Beyond, beyond, top_above};
+use super::terrain::{Ground, Terrain};
+use super::track::walkable;
+use crate::mesh::EdgeId;
+use crate::tune::Motion;
+use serde::{Deserialize, Serialize};
+
+/// What a body on a wall holds on to.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Grip {
+    /// Nothing: it slides.
+    #[default]
+    None,
+    /// The ledge above, from which it hangs at rest.
+    Ledge,
+    /// The same ledge, while it climbs up and onto it.
+    Over,
+    /// The wall itself, which can be climbed.
+    Wall,
+}
+
+/// Whether one of the features along a mesh edge has walls that can be climbed.
+fn is_climbable(mesh: Ground, e: EdgeId, terrain: &Terrain) -> bool {
+    let climbable = |s| terrain.traits_of(mesh.segment(s).feature).climbable;
+    !terrain.traits.is_empty() && mesh.uses(e).any(|u| !u.forward && climbable(u.segment))
+}
+
+impl Body {
+    /// What the body holds on to.
+    pub fn grip(&self) -> Grip {
+        match &self.mode {
+            Mode::Surface(on) => on.grip,
+            _ => Grip::None,
+        }
+    }
+
+    /// Whether the stick leads away from the wall that the body is on.
+    pub(super) fn turns_from_wall(&self, terrain: &Terrain) -> bool {
+        self.away_from_wall(terrain)
+            .is_some_and(|away| self.control.run * away > 0.0)
+    }
+
+    /// Lets go, takes hold, or begins to climb, as the control asks.
+    ///
+    /// A ledge is let go with down or away from it, and climbed with up or jump. A climbable wall is taken hold of with up,
+    /// down, or the stick towards it, and held until the stick leads away from it.
+    pub(super) fn grip_as_wished(&mut self, terrain: &Terrain, trace: &mut Trace) {
+        let (turns, down) = (self.turns_from_wall(terrain), self.control.down);
+        let climbs = self.control.up || self.within(self.pressed_at, terrain.tuning.jump_buffer);
+        let lets_go = match self.grip() {
+            Grip::None => false,
+            Grip::Ledge | Grip::Over => turns || down,
+            Grip::Wall => turns || !self.is_at_climbable(terrain),
+        };
+        if lets_go {
+            self.hold_on(Grip::None, EventKind::LetGo, trace);
+        }
+        match self.grip() {
+            Grip::Ledge if climbs => {
+                self.pressed_at = None;
+                self.hold_on(Grip::Over, EventKind::Climbed, trace);
+            }
+            Grip::None if self.reaches_for_wall(terrain) && self.is_at_climbable(terrain) => {
+                self.hold_on(Grip::Wall, EventKind::Climbed, trace);
+            }
+            _ => {}
+        }
+    }
+
+    fn hold_on(&mut self, grip: Grip, kind: EventKind, trace: &mut Trace) {
+        if let Mode::Surface(on) = &mut self.mode {
+            on.grip = grip;
+        }
+        self.rising = false;
+        self.log(kind, trace);
+    }
+
+    /// Wishes to take hold of a wall, should it be climbable.
+    fn reaches_for_wall(&self, terrain: &Terrain) -> bool {
+        let away = self.away_from_wall(terrain);
+        let pushes = |away: f64| {
+            self.control.run * away < 0.0
+                || self.control.run == 0.0 && (self.control.up || self.control.down)
+        };
+        self.size == Size::Stand && away.is_some_and(pushes)
+    }
+
+    fn is_at_climbable(&self, terrain: &Terrain) -> bool {
+        self.edge()
+            .is_some_and(|e| is_climbable(self.ground(terrain), e, terrain))
+    }
+
+    /// Whether the way along a wall that goes on in one line changes what the body may hold on to: a climber stops where
+    /// the climbable part ends, and one who reaches for it takes hold where it begins.
+    pub(super) fn meets_other_grip(&self, next: EdgeId, terrain: &Terrain) -> bool {
+        let climbable = || is_climbable(self.ground(terrain), next, terrain);
+        match self.grip() {
+            Grip::Wall => !climbable(),
+            Grip::None => self.reaches_for_wall(terrain) && climbable(),
+            Grip::Ledge | Grip::Over => false,
+        }
+    }
+
+    /// At a joint while holding on. False if it is one for a slide: down onto the ground.
+    ///
+    /// Up a wall, the way leads over convex corners to further wall and onto ground, where the body arrives at rest. A
+    /// climber stops at everything else; who climbs over a ledge that is no more lets go.
+    pub(super) fn climb_joint(
+        &mut self,
+        joint: &Joint,
+        onward: Option<&Onward>,
+        terrain: &Terrain,
+        trace: &mut Trace,
+    ) -> bool {
+        let mesh = self.ground(terrain);
+        let grip = self.grip();
+        let ground = |on: &Onward| walkable(mesh.segment(on.segment), mesh.max_slope);
+        if grip == Grip::None
+            || joint.before.1 < 0 && onward.is_some_and(|on| on.towards && ground(on))
+        {
+            return false;
+        }
+        let Some(edge) = self.edge() else {
+            return false;
+        };
+        match beyond(mesh, edge, joint.heading, &joint.track) {
+            Beyond::Wall(next, s) if grip == Grip::Over || is_climbable(mesh, next, terrain) => {
+                let way = joint.onto(mesh, next, s);
+                self.go_on(&way, joint.speed, trace);
+            }
+            Beyond::Top(next, s) => {
+                let on = joint.onto(mesh, next, s);
+                self.settle(s, next, on.start, 0.0, 0.0, terrain, trace);
+            }
+            _ => {
+                self.stop(joint, onward, trace, mesh);
+                if grip == Grip::Over {
+                    self.hold_on(Grip::None, EventKind::LetGo, trace);
+                }
+            }
+        }
+        true
+    }
+
+    /// Whether the body would hang from a ledge if there were one at the right height: standing upright on a wall, not
+    /// holding on yet, and asking for nothing else.
+    fn may_hang(&self, terrain: &Terrain) -> bool {
+        terrain.tuning.ledge_hang > 0.0
+            && self.size == Size::Stand
+            && self.grip() == Grip::None
+            && !self.control.down
+            && self
+                .away_from_wall(terrain)
+                .is_some_and(|away| self.control.run * away <= 0.0)
+    }
+
+    /// The parameter at which the body's feet hang from the ledge above the wall that it is on, if that is no higher than
+    /// `reach` above them. Only walls steeper than 45 degrees have one: there the parameter is the height.
+    fn hang_parameter(&self, on: &Surface, reach: f64, terrain: &Terrain) -> Option<f64> {
+        let (mesh, t) = (self.ground(terrain), terrain.tuning);
+        let s = on.parameter(self.time);
+        let highest = s + reach + t.ledge_hang;
+        let top = on
+            .is_upright()
+            .then(|| top_above(mesh, on.edge, &on.track, highest))??;
+        let hang = top.height - t.ledge_hang;
+        (hang <= s + reach).then_some(hang)
+    }
+
+    /// A slide down past the height of the feet of one who hangs takes hold there, if that comes first.
+    ///
+    /// Who lets go there is at that height with no speed, and does not take hold again: no lock is needed.
+    pub(super) fn sooner_if_grabs(
+        &self,
+        next: Option<(f64, Next)>,
+        terrain: &Terrain,
+    ) -> Option<(f64, Next)> {
+        let Mode::Surface(on) = &self.mode else {
+            return next;
+        };
+        if on.walkable || on.sign() * on.track.tangent.y >= 0.0 || !self.may_hang(terrain) {
+            return next;
+        }
+        let grabs = self
+            .hang_parameter(on, 0.0, terrain)
+            .filter(|&hang| hang < on.parameter(self.time) || on.speed(self.time) != 0.0);
+        let grabs = grabs
+            .and_then(|hang| Some((on.t0 + on.reaches(hang)?.max(on.since), Next::Grab(hang))));
+        match (next, grabs) {
+            (Some((at, _)), Some((sooner, _))) if sooner < at => grabs,
+            (None, grabs) => grabs,
+            (next, _) => next,
+        }
+    }
+
+    /// Hangs from the ledge, its feet exactly at that parameter.
+    pub(super) fn grab(&mut self, hang: f64, trace: &mut Trace) {
+        self.rebase();
+        if let Mode::Surface(on) = &mut self.mode {
+            (on.s0, on.u0) = (hang, 0.0);
+        }
+        self.hold_on(Grip::Ledge, EventKind::Grabbed, trace);
+    }
+
+    /// Come to a wall in flight with its feet a little too low to hang: the body is lifted along the wall. The way is free,
+    /// since it is the boundary of free space; it must be one line. A jump that waits goes first.
+    pub(super) fn catch_ledge(&mut self, terrain: &Terrain, trace: &mut Trace) {
+        let t = terrain.tuning;
+        let mesh = self.ground(terrain);
+        let jumps = t.wall_jump_up > 0.0 && self.within(self.pressed_at, t.jump_buffer);
+        let Mode::Surface(on) = &self.mode else {
+            return;
+        };
+        if on.walkable || on.u0 * on.track.tangent.y > 0.0 || jumps || !self.may_hang(terrain) {
+            return;
+        }
+        let hang = self.hang_parameter(on, t.ledge_magnet, terrain);
+        let Some((hang, (edge, segment))) = hang
+            .filter(|&hang| hang >= on.s0)
+            .and_then(|hang| Some((hang, on.piece_above(hang, mesh)?)))
+        else {
+            return;
+        };
+        if let Mode::Surface(on) = &mut self.mode {
+            (on.edge, on.segment) = (edge, segment);
+        }
+        self.grab(hang, trace);
+    }
+}
+
+impl Surface {
+    /// The acceleration of one who holds on, and the speed at which it ends.
+    pub(super) fn choose_climb(&mut self, control: &Control, t: &Motion) {
+        let wish = f64::from(u8::from(control.up)) - f64::from(u8::from(control.down));
+        let speed = match self.grip {
+            Grip::None | Grip::Ledge => 0.0,
+            Grip::Over => t.ledge_climb_speed,
+            Grip::Wall => wish * t.climb_speed,
+        };
+        let climb = Law::towards(
+            self.u0,
+            speed * self.track.tangent.y.signum(),
+            t.climb_accel,
+        );
+        let left = climb.time_left(self.u0);
+        self.accel = climb.accel;
+        self.limit = left
+            .zip(climb.until)
+            .map(|(left, until)| (self.t0 + left, until));
+    }
+}
