@@ -1,14 +1,17 @@
 //! The invariants of a body that can be read off its state; tests and the fuzzer assert them after every step.
 
-use super::body::{Body, Mode, Trace};
+use super::body::{Body, Mode, Size, Trace};
+use super::grip::Grip;
 use super::terrain::{Ground, Terrain};
 use super::track::Track;
 use super::vertex::JOINT_STEPS;
+use super::wall::is_wall;
 use crate::geom::STEP;
 use crate::mesh::SegmentId;
 
 /// Checks I1 (the place is free, and an airborne position is in it), I2 (the surface's edge exists, blocks, carries the
-/// feature edge, and the parameter is on it), I3 (all numbers are finite) and I5 (the events of the step are bounded).
+/// feature edge, and the parameter is on it; who holds on is upright on a wall, and at rest if it hangs), I3 (all numbers are
+/// finite) and I5 (the events of the step are bounded).
 ///
 /// # Errors
 /// The first invariant that does not hold, with its numbers.
@@ -26,7 +29,7 @@ pub fn check(body: &Body, terrain: &Terrain, trace: &Trace) -> Result<(), String
     }
     match body.mode() {
         Mode::Air(_) => in_face(body, mesh)?,
-        Mode::Surface(_) => on_edge(body, mesh)?,
+        Mode::Surface(_) => on_edge(body, mesh).and_then(|()| holds_on(body, mesh))?,
         Mode::Wedge(_) | Mode::Crushed(_) => {}
     }
     let bound = 64 + trace.crossed + trace.passed;
@@ -85,6 +88,25 @@ fn on_edge(body: &Body, mesh: Ground) -> Result<(), String> {
         + f64::from(JOINT_STEPS) * STEP * f64::from(u8::from(mesh.chain(on.segment).len() > 2));
     if s < ends[0].min(ends[1]) - slack || s > ends[0].max(ends[1]) + slack {
         return Err(format!("I2: parameter {s} is not on the edge {ends:?}"));
+    }
+    Ok(())
+}
+
+/// What a grip promises.
+fn holds_on(body: &Body, mesh: Ground) -> Result<(), String> {
+    let Mode::Surface(on) = body.mode() else {
+        return Ok(());
+    };
+    let climbs = on.speed(body.time()) * on.track.tangent.y;
+    let broken = match on.grip {
+        Grip::None => false,
+        Grip::Ledge => climbs != 0.0 || on.accel != 0.0,
+        Grip::Over => climbs < 0.0,
+        Grip::Wall => false,
+    };
+    let on_wall = is_wall(mesh.segment(on.segment), mesh.max_slope);
+    if broken || on.grip != Grip::None && (body.size() != Size::Stand || !on_wall) {
+        return Err(format!("I2: cannot hold on like this: {on:?}"));
     }
     Ok(())
 }

@@ -6,6 +6,7 @@
 //! one that a solid was put over is moved to the nearest free place and told so.
 
 use super::body::{Body, EventKind, Mode, Surface, Trace};
+use super::grip::Grip;
 use super::size::free_face;
 use super::terrain::{Ground, Terrain};
 use super::track::Track;
@@ -63,7 +64,7 @@ impl Body {
     /// Takes its place in the meshes as they are after an edit of the level. An event only if its place is no more.
     pub fn rehome(&mut self, anchor: &Anchor, terrain: &Terrain, trace: &mut Trace) {
         let ground = terrain.ground(self.size);
-        if self.is_untouched(anchor, ground) {
+        if self.is_untouched(anchor, ground) && !self.has_lost_ledge(terrain) {
             return self.schedule(terrain);
         }
         match &self.mode {
@@ -144,7 +145,7 @@ impl Body {
         };
         let is_same = Some(segment) == same;
         (on.edge, on.segment) = (edge, segment);
-        if is_same && on.against == 0.0 {
+        if is_same && on.against == 0.0 && on.grip == Grip::None {
             return self.schedule(terrain);
         }
         // Another feature may have other traits, and the wall may be gone: a new piece, at the same place and speed.

@@ -9,6 +9,7 @@ use super::law::Law;
 use super::ledge::{Beyond, beyond, top_above};
 use super::terrain::{Ground, Terrain};
 use super::track::walkable;
+use crate::geom::STEP;
 use crate::mesh::EdgeId;
 use crate::tune::Motion;
 use serde::{Deserialize, Serialize};
@@ -57,7 +58,7 @@ impl Body {
         let climbs = self.control.up || self.within(self.pressed_at, terrain.tuning.jump_buffer);
         let lets_go = match self.grip() {
             Grip::None => false,
-            Grip::Ledge | Grip::Over => turns || down,
+            Grip::Ledge | Grip::Over => turns || down || self.has_lost_ledge(terrain),
             Grip::Wall => turns || !self.is_at_climbable(terrain),
         };
         if lets_go {
@@ -72,6 +73,16 @@ impl Body {
                 self.hold_on(Grip::Wall, EventKind::Climbed, trace);
             }
             _ => {}
+        }
+    }
+
+    /// Whether the ledge is no more from which the body hangs: the level has been edited, or its reach.
+    pub(super) fn has_lost_ledge(&self, terrain: &Terrain) -> bool {
+        match &self.mode {
+            Mode::Surface(on) if on.grip == Grip::Ledge => {
+                self.hang_parameter(on, STEP, terrain) != Some(on.s0)
+            }
+            _ => false,
         }
     }
 
@@ -134,7 +145,10 @@ impl Body {
         match beyond(mesh, edge, joint.heading, &joint.track) {
             Beyond::Wall(next, s) if grip == Grip::Over || is_climbable(mesh, next, terrain) => {
                 let way = joint.onto(mesh, next, s);
-                self.go_on(&way, joint.speed, trace);
+                self.bend(&way, joint.speed, terrain, trace);
+                if let Mode::Surface(on) = &mut self.mode {
+                    on.grip = grip;
+                }
             }
             Beyond::Top(next, s) => {
                 let on = joint.onto(mesh, next, s);

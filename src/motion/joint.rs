@@ -309,7 +309,7 @@ impl Body {
             return false;
         }
         if self.is_held(&joint, &on, terrain) {
-            self.stop(joint, Some(on), trace, mesh);
+            self.stop(&joint, Some(&on), trace, mesh);
             return false;
         }
         let kept = match on.towards && !keeps(&joint, &on, t.concave == 0.0, mesh, terrain) {
@@ -321,7 +321,7 @@ impl Body {
     }
 
     /// Round a bend onto another feature edge, with a speed along it.
-    fn bend(&mut self, on: &Onward, speed: f64, terrain: &Terrain, trace: &mut Trace) {
+    pub(super) fn bend(&mut self, on: &Onward, speed: f64, terrain: &Terrain, trace: &mut Trace) {
         self.put_on(on.edge, on.segment, on.start, on.sign * speed, terrain);
         self.log(EventKind::Joint, trace);
     }
@@ -350,17 +350,6 @@ impl Body {
             against: 0.0,
             grip: Grip::None,
         });
-    }
-
-    /// Round a bend without leaving the surface or losing speed: one who climbs.
-    pub(super) fn go_on(&mut self, way: &Onward, speed: f64, trace: &mut Trace) {
-        let now = self.time;
-        let Mode::Surface(on) = &mut self.mode else {
-            return;
-        };
-        (on.t0, on.s0, on.u0, on.since) = (now, way.start, way.sign * speed, 0.0);
-        (on.segment, on.track, on.edge) = (way.segment, way.track, way.edge);
-        self.log(EventKind::Joint, trace);
     }
 
     /// At rest before a wall (none: the world's border), which from now on takes up every push.

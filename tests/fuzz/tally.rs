@@ -31,12 +31,16 @@ const TRANSITIONS: &[(&str, &str)] = &[
 
 /// Events for which the same holds: all but `Stuck`, which must not occur.
 const EVENTS: &[&str] = &[
+    "Climbed",
+    "Corrected",
     "Embedded",
+    "Grabbed",
     "Hit",
     "Joint",
     "Jumped",
     "Landed",
     "Left",
+    "LetGo",
     "Limit",
     "Parted",
     "Resized",

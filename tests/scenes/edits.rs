@@ -190,6 +190,23 @@ fn scene_61_the_same_edit_ends_in_the_same_place_every_time() {
 }
 
 #[test]
+fn a_ledge_that_goes_lets_go_who_hangs_from_it() {
+    Site::both(b(), |site| {
+        (site.tuning.ledge_hang, site.tuning.air_accel) = (1.25, 16.0);
+        site.rect(0, (0.0, 5.0), (-9.0, -1.0))
+            .rect(1, (0.0, 5.0), (-1.0, 0.0))
+            .spawn(-HALF, -0.5)
+            .hold(1.0)
+            .advance(1.0);
+        assert_eq!((site.at(), site.speed()), (v(-HALF, -1.25), v(0.0, 0.0)));
+        // A metre lower there is another one.
+        site.remove(1).advance(2.0);
+        assert!(site.kinds().contains(&EventKind::LetGo));
+        assert_eq!((site.at(), site.speed()), (v(-HALF, -2.25), v(0.0, 0.0)));
+    });
+}
+
+#[test]
 fn scene_62_ten_thousand_edits_a_kilometre_away_change_no_bit() {
     Site::both(b(), |site| {
         site.rect(0, (-5.0, 5.0), (-1.0, 0.0))
