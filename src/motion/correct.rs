@@ -39,7 +39,7 @@ fn rim(mesh: Ground, e: EdgeId, track: &Track, sign: f64, s: f64, limit: f64) ->
         if ahead > limit * rate {
             return None;
         }
-        e = surface_next(mesh, e, heading);
+        e = surface_next(mesh, e, heading)?;
         let segment = segment_at(mesh, e, mesh.max_slope, same_line)?;
         if same_line(segment) {
             continue;

@@ -31,7 +31,7 @@ pub enum Grip {
 /// Whether one of the features along a mesh edge has walls that can be climbed.
 fn is_climbable(mesh: Ground, e: EdgeId, terrain: &Terrain) -> bool {
     let climbable = |s| terrain.traits_of(mesh.segment(s).feature).climbable;
-    !terrain.traits.is_empty() && mesh.uses(e).any(|u| !u.forward && climbable(u.segment))
+    !terrain.traits.is_empty() && mesh.facing(e).any(climbable)
 }
 
 impl Body {
@@ -259,11 +259,10 @@ impl Surface {
             Grip::Over => t.ledge_climb_speed,
             Grip::Wall => wish * t.climb_speed,
         };
-        let climb = Law::towards(
-            self.u0,
-            speed * self.track.tangent.y.signum(),
-            t.climb_accel,
-        );
+        let target = speed * self.track.tangent.y.signum();
+        // A piece does not turn: what goes the other way stops first.
+        let turns = self.u0 * target < 0.0;
+        let climb = Law::towards(self.u0, if turns { 0.0 } else { target }, t.climb_accel);
         let left = climb.time_left(self.u0);
         self.accel = climb.accel;
         self.limit = left

@@ -22,9 +22,10 @@ pub enum Beyond {
 /// Looks beyond the vertex ahead on an edge of a wall. Lips of rounding between a wall and its top are looked past.
 pub fn beyond(mesh: Ground, e: EdgeId, heading: Heading, track: &Track) -> Beyond {
     let max_slope = mesh.max_slope;
-    let next = surface_next(mesh, e, heading);
     let same_line = |s: SegmentId| Track::of(mesh.segment(s)).same_line(track);
-    let Some(s) = segment_at(mesh, next, max_slope, same_line) else {
+    let onward = surface_next(mesh, e, heading)
+        .and_then(|next| Some((next, segment_at(mesh, next, max_slope, same_line)?)));
+    let Some((next, s)) = onward else {
         return Beyond::End;
     };
     let directed = |track: &Track| {
@@ -53,7 +54,13 @@ pub fn beyond(mesh: Ground, e: EdgeId, heading: Heading, track: &Track) -> Beyon
             Beyond::End
         };
     }
-    match bridge(mesh, next, heading, max_slope) {
+    match bridge(
+        mesh,
+        ahead(mesh, e, heading),
+        Some(next),
+        heading,
+        max_slope,
+    ) {
         Some((edge, s)) if before.1 > 0 => Beyond::Top(edge, s),
         _ => Beyond::End,
     }
@@ -119,7 +126,7 @@ impl Surface {
             .parameter_of(mesh.point(ahead(mesh, edge, heading)))
             < s
         {
-            edge = surface_next(mesh, edge, heading);
+            edge = surface_next(mesh, edge, heading)?;
             let same_line =
                 |s: SegmentId| s == segment || Track::of(mesh.segment(s)).same_line(&self.track);
             let next = segment_at(mesh, edge, mesh.max_slope, same_line)?;

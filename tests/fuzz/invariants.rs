@@ -64,12 +64,14 @@ fn late(body: &Body) -> f64 {
 
 /// How far an event may move a body, m.
 fn may_move(kind: EventKind, t: &Motion) -> f64 {
-    // Along a slope as steep as may be walked, set down or stepped up.
+    // Along a slope as steep as may be walked, set down or stepped up, or up the flank of a foot.
     let sideways = |h: f64| h * (1.0 + 1.0 / t.max_slope.max(0.1));
     match kind {
         EventKind::SteppedUp(h) if h <= t.step_up + 2.0 * STEP => sideways(h),
         EventKind::Snapped(h) if h <= t.floor_snap + 2.0 * STEP => sideways(h),
-        EventKind::Corrected(h) if h <= t.corner_correction.max(t.ledge_correction) + STEP => h,
+        EventKind::Corrected(h) if h <= t.corner_correction.max(t.ledge_correction) + STEP => {
+            sideways(h)
+        }
         EventKind::Grabbed => t.ledge_magnet + STEP,
         EventKind::Embedded(h) => h + STEP,
         _ => 0.0,
