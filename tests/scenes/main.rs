@@ -10,6 +10,7 @@ mod ledges;
 mod one_ways;
 mod rig;
 mod slopes;
+mod stairs;
 mod stress;
 mod swept;
 mod timing;
