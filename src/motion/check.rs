@@ -10,7 +10,8 @@ use crate::geom::STEP;
 use crate::mesh::SegmentId;
 
 /// Checks I1 (the place is free, and an airborne position is in it), I2 (the surface's edge exists, blocks, carries the
-/// feature edge, and the parameter is on it; who holds on is upright on a wall, and at rest if it hangs), I3 (all numbers are
+/// feature edge, the parameter is on it, the road is its own, and a limit of the speed lies ahead; who holds on is upright
+/// on a wall, and at rest if it hangs), I3 (all numbers are
 /// finite) and I5 (the events of the step are bounded).
 ///
 /// # Errors
@@ -80,6 +81,18 @@ fn on_edge(body: &Body, mesh: Ground) -> Result<(), String> {
     }
     if !mesh.facing(on.edge).any(|s| s == on.segment) {
         return Err("I2: the feature edge does not run along the edge under the body".into());
+    }
+    if !on.track.same_line(&Track::of(mesh.segment(on.segment))) {
+        return Err("I2: the road under the body is not that of its feature edge".into());
+    }
+    if on
+        .limit
+        .is_some_and(|(at, until)| at < on.t0 || (until - on.u0) * on.accel < 0.0)
+    {
+        return Err(format!(
+            "I2: the speed never reaches its limit {:?}",
+            on.limit
+        ));
     }
     let s = on.parameter(body.time());
     let ends =

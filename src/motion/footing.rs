@@ -40,14 +40,13 @@ impl Footing {
         }
     }
 
-    /// The ground along a feature edge.
-    pub(super) fn under(segment: SegmentId, mesh: Ground, terrain: &Terrain) -> Footing {
-        let segment = mesh.segment(segment);
-        let traits = terrain.traits_of(segment.feature);
-        Footing::of(&Track::of(segment), &traits, terrain.tuning)
+    /// The ground along a feature edge, the road of which is known.
+    pub(super) fn under(s: SegmentId, track: &Track, mesh: Ground, terrain: &Terrain) -> Footing {
+        let traits = terrain.traits_of(mesh.segment(s).feature);
+        Footing::of(track, &traits, terrain.tuning)
     }
 
-    /// The law at a speed.
+    /// The law at a speed. It ends where the motion turns, which on a belt is not where it slips no more.
     pub fn law(&self, speed: f64, control: &Control, crouched: bool, t: &Motion) -> Law {
         let law = match self.wish(control, crouched, t) {
             0.0 => self.coast(speed, t),
@@ -157,9 +156,10 @@ mod tests {
         let at = |speed: f64, run: f64| belt.law(speed, &running(run), false, &t);
         assert_eq!(at(-3.0, 0.0), Law::REST);
         assert_eq!(at(0.0, 0.0), law(-t.run_brake, -3.0));
-        assert_eq!(at(-3.0, 1.0), law(t.run_accel, 0.0));
+        assert_eq!(at(-3.0, 1.0), law(t.run_accel, 0.0), "turns");
         assert_eq!(at(0.0, 1.0), law(t.run_accel, 5.0));
         assert_eq!(at(-4.0, 1.0), law(t.run_brake, -3.0));
+        assert_eq!(at(2.0, 0.0), law(-t.run_brake, 0.0), "turns");
         assert_eq!(at(5.0, 1.0), Law::REST);
         assert_eq!(belt.steady(&running(-0.5), false, &t), -7.0);
     }

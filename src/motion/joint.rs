@@ -3,6 +3,7 @@
 use super::body::{Body, EventKind, Mode, Size, Surface, Trace};
 use super::footing::Footing;
 use super::grip::Grip;
+use super::law;
 use super::terrain::{Concave, Ground, Terrain};
 use super::track::{Track, cross, dot, walkable};
 use super::vertex::{
@@ -110,6 +111,11 @@ impl Joint {
         }
     }
 
+    /// Whether the ground ends here, for what would continue it turns away or is not there at all.
+    fn is_end(&self, onward: Option<&Onward>) -> bool {
+        onward.map_or(self.next.is_none(), |on| !on.towards)
+    }
+
     /// The speed that is lost where only `kept` of it goes on.
     fn lost(&self, kept: f64) -> f64 {
         (self.speed * self.speed - kept * kept).max(0.0).sqrt()
@@ -209,6 +215,9 @@ impl Body {
             return self.walk_on(joint, ground, terrain, trace);
         }
         match onward {
+            _ if joint.is_end(onward.as_ref()) && self.is_held_at_end(&joint, terrain) => {
+                self.stop(&joint, onward.as_ref(), trace, mesh);
+            }
             Some(on) if !on.towards => self.leave_or_snap(joint, Some(on.edge), terrain, trace),
             None if joint.next.is_none() => self.leave_or_snap(joint, None, terrain, trace),
             Some(on) if keeps(&joint, &on, false, mesh, terrain) && climbs(joint.speed, t) => {
@@ -261,31 +270,49 @@ impl Body {
             let segment = segment_at(mesh, next, terrain.tuning.max_slope, |_| false)?;
             Some(joint.onto(mesh, next, segment))
         });
-        match self.ground_ahead(&joint, onward.as_ref(), terrain) {
-            Some(ground) if self.is_held(&joint, &ground, terrain) => false,
-            Some(ground) => {
-                self.walk_on(joint, ground, terrain, trace);
-                true
-            }
-            None => self.step_up(&joint, terrain, trace),
+        let is_held = match self.ground_ahead(&joint, onward.as_ref(), terrain) {
+            Some(ground) => self.is_held(&joint, &ground, terrain),
+            None if joint.is_end(onward.as_ref()) => self.is_held_at_end(&joint, terrain),
+            None => return self.step_up(&joint, terrain, trace),
+        };
+        if let Mode::Surface(on) = &mut self.mode
+            && !is_held
+        {
+            // Nothing stands in the way: the vertex is reached again, at once.
+            on.against = 0.0;
         }
+        false
     }
 
     /// Whether a walker comes to rest at a joint because the ground drives him back to it from either side: belts that meet,
-    /// a wish against a stronger belt, a valley. He passes it while he is faster than what drives him there; and in a valley
-    /// as long as that carries him further up than a joint may rise, so that ever smaller swings end.
+    /// a wish against a stronger belt, a valley. He passes it while he is faster than the speed that drives him there, and
+    /// goes further than the width of a joint before he turns: so swings in a valley that grow ever smaller end.
     fn is_held(&self, joint: &Joint, on: &Onward, terrain: &Terrain) -> bool {
         let mesh = self.ground(terrain);
         let (t, forward) = (terrain.tuning, joint.forward());
         let crouched = self.size == Size::Crouch;
-        let [old, new] = [joint.segment, on.segment].map(|s| Footing::under(s, mesh, terrain));
+        let footing = |s, track| Footing::under(s, track, mesh, terrain);
+        let old = footing(joint.segment, &joint.track);
+        let new = footing(on.segment, &on.track);
         let drive = |f: &Footing| forward * f.law(0.0, &self.control, crouched, t).accel;
         let (push, back) = (drive(&old), drive(&new));
         let steady = forward * old.steady(&self.control, crouched, t);
-        let joint_rise = f64::from(JOINT_STEPS) * STEP;
+        let width = f64::from(JOINT_STEPS) * STEP;
         push > 0.0
             && back < 0.0
-            && (joint.speed <= steady || joint.speed * joint.speed <= -2.0 * back * joint_rise)
+            && (joint.speed <= steady || joint.speed * joint.speed <= -2.0 * back * width)
+    }
+
+    /// The same at the end of the ground: a belt carries him over it, and the stick would bring him back through the air, at once.
+    fn is_held_at_end(&self, joint: &Joint, terrain: &Terrain) -> bool {
+        let (t, forward) = (terrain.tuning, joint.forward());
+        let ground = Footing::under(joint.segment, &joint.track, self.ground(terrain), terrain);
+        let crouched = self.size == Size::Crouch;
+        let push = forward * ground.law(0.0, &self.control, crouched, t).accel;
+        let back = forward * law::steer(forward * joint.speed, &self.control, t).accel;
+        let width = f64::from(JOINT_STEPS) * STEP;
+        let wishes_back = self.control.run * forward < 0.0;
+        wishes_back && push > 0.0 && joint.speed * joint.speed <= -2.0 * back * width
     }
 
     /// Round a bend from walkable ground to walkable ground. True as for [`Body::pass_vertex`].
@@ -304,12 +331,12 @@ impl Body {
             surface.since = (now - surface.t0).max(surface.since);
             return true;
         }
-        if !on.towards && !straight && !joint.holds(&on, mesh, t) {
-            self.leave(joint, Some(on.edge), terrain, trace);
-            return false;
-        }
         if self.is_held(&joint, &on, terrain) {
             self.stop(&joint, Some(&on), trace, mesh);
+            return false;
+        }
+        if !on.towards && !straight && !joint.holds(&on, mesh, t) {
+            self.leave(joint, Some(on.edge), terrain, trace);
             return false;
         }
         let kept = match on.towards && !keeps(&joint, &on, t.concave == 0.0, mesh, terrain) {
@@ -435,9 +462,9 @@ impl Body {
         let (sinks, goes_down) = (joint.before.1 < 0, on.after.1 < 0);
         let lasts = kept > 0.0 || !self.pulled_off(&on.track, 0.0, terrain);
         if walkable(mesh.segment(on.segment), terrain.tuning.max_slope) {
-            // Who holds against the slope that he comes down on stands at its foot: else each return would set him off again.
+            // Who is driven against the slope that he comes down on stands at its foot: else each return would set him off again.
             let crouched = self.size == Size::Crouch;
-            let footing = Footing::under(on.segment, mesh, terrain);
+            let footing = Footing::under(on.segment, &on.track, mesh, terrain);
             let wish = footing.steady(&self.control, crouched, terrain.tuning);
             let stands = !keeps && wish * vector(on.after).x < 0.0 && kept <= wish.abs();
             let u = if stands { 0.0 } else { u };
@@ -445,7 +472,7 @@ impl Body {
             if let (true, Mode::Surface(ground)) = (stands, &mut self.mode) {
                 ground.against = -on.sign;
             }
-        } else if keeps && kept > 0.0 {
+        } else if keeps && (goes_down || climbs(kept, terrain.tuning)) {
             self.bend(&on, kept, terrain, trace);
         } else if lasts && (goes_down || !sinks && kept > 0.0) {
             self.settle(on.segment, on.edge, on.start, u, into, terrain, trace);
