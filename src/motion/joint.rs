@@ -3,7 +3,6 @@
 use super::body::{Body, EventKind, Mode, Size, Surface, Trace};
 use super::footing::Footing;
 use super::grip::Grip;
-use super::law;
 use super::terrain::{Concave, Ground, Terrain};
 use super::track::{Track, cross, dot, walkable};
 use super::vertex::{
@@ -52,7 +51,7 @@ pub(super) struct Onward {
 
 impl Joint {
     /// The joint ahead of a body that comes to it with a speed.
-    fn ahead(on: &Surface, sign: f64, speed: f64, mesh: Ground) -> Joint {
+    pub(super) fn ahead(on: &Surface, sign: f64, speed: f64, mesh: Ground) -> Joint {
         let heading = on.heading(sign);
         Joint {
             speed,
@@ -112,7 +111,7 @@ impl Joint {
     }
 
     /// Whether the ground ends here, for what would continue it turns away or is not there at all.
-    fn is_end(&self, onward: Option<&Onward>) -> bool {
+    pub(super) fn is_end(&self, onward: Option<&Onward>) -> bool {
         onward.map_or(self.next.is_none(), |on| !on.towards)
     }
 
@@ -235,7 +234,7 @@ impl Body {
     }
 
     /// The walkable ground beyond a joint, if the surface, or a lip that rounding has left, leads onto some.
-    fn ground_ahead(
+    pub(super) fn ground_ahead(
         &self,
         joint: &Joint,
         onward: Option<&Onward>,
@@ -253,66 +252,6 @@ impl Body {
             }
         }?;
         Some(joint.onto(mesh, edge, s))
-    }
-
-    /// One who stands against something and is driven towards it looks again what it is: with another wish he may step up
-    /// onto it, or leave the vertex where two belts have held him. True if he has gone on.
-    pub(super) fn press_on(&mut self, terrain: &Terrain, trace: &mut Trace) -> bool {
-        let mesh = self.ground(terrain);
-        let Mode::Surface(on) = &self.mode else {
-            return false;
-        };
-        if !on.walkable || on.u0 != 0.0 || on.accel * on.against <= 0.0 {
-            return false;
-        }
-        let joint = Joint::ahead(on, on.against, 0.0, mesh);
-        let onward = joint.next.and_then(|next| {
-            let segment = segment_at(mesh, next, terrain.tuning.max_slope, |_| false)?;
-            Some(joint.onto(mesh, next, segment))
-        });
-        let is_held = match self.ground_ahead(&joint, onward.as_ref(), terrain) {
-            Some(ground) => self.is_held(&joint, &ground, terrain),
-            None if joint.is_end(onward.as_ref()) => self.is_held_at_end(&joint, terrain),
-            None => return self.step_up(&joint, terrain, trace),
-        };
-        if let Mode::Surface(on) = &mut self.mode
-            && !is_held
-        {
-            // Nothing stands in the way: the vertex is reached again, at once.
-            on.against = 0.0;
-        }
-        false
-    }
-
-    /// Whether a walker comes to rest at a joint because the ground drives him back to it from either side: belts that meet,
-    /// a wish against a stronger belt, a valley. He passes it while he is faster than the speed that drives him there, and
-    /// goes further than the width of a joint before he turns: so swings in a valley that grow ever smaller end.
-    fn is_held(&self, joint: &Joint, on: &Onward, terrain: &Terrain) -> bool {
-        let mesh = self.ground(terrain);
-        let (t, forward) = (terrain.tuning, joint.forward());
-        let crouched = self.size == Size::Crouch;
-        let footing = |s, track| Footing::under(s, track, mesh, terrain);
-        let old = footing(joint.segment, &joint.track);
-        let new = footing(on.segment, &on.track);
-        let drive = |f: &Footing| forward * f.law(0.0, &self.control, crouched, t).accel;
-        let (push, back) = (drive(&old), drive(&new));
-        let steady = forward * old.steady(&self.control, crouched, t);
-        let width = f64::from(JOINT_STEPS) * STEP;
-        push > 0.0
-            && back < 0.0
-            && (joint.speed <= steady || joint.speed * joint.speed <= -2.0 * back * width)
-    }
-
-    /// The same at the end of the ground: a belt carries him over it, and the stick would bring him back through the air, at once.
-    fn is_held_at_end(&self, joint: &Joint, terrain: &Terrain) -> bool {
-        let (t, forward) = (terrain.tuning, joint.forward());
-        let ground = Footing::under(joint.segment, &joint.track, self.ground(terrain), terrain);
-        let crouched = self.size == Size::Crouch;
-        let push = forward * ground.law(0.0, &self.control, crouched, t).accel;
-        let back = forward * law::steer(forward * joint.speed, &self.control, t).accel;
-        let width = f64::from(JOINT_STEPS) * STEP;
-        let wishes_back = self.control.run * forward < 0.0;
-        wishes_back && push > 0.0 && joint.speed * joint.speed <= -2.0 * back * width
     }
 
     /// Round a bend from walkable ground to walkable ground. True as for [`Body::pass_vertex`].
