@@ -113,6 +113,8 @@ impl Body {
         self.jump_if_asked(terrain, trace);
         self.grip_as_wished(terrain, trace);
         self.part_if_pulled(terrain, trace);
+        // Once more for who is off the slope on which he was granted none: in the air the coyote time may count.
+        self.jump_if_asked(terrain, trace);
         self.choose_law(terrain);
         if self.press_on(terrain, trace) {
             self.choose_law(terrain);

@@ -2,7 +2,7 @@
 
 use super::rig::*;
 use edgewalker::geom::{Collider, Point};
-use edgewalker::motion::{Body, EventKind, SpawnError};
+use edgewalker::motion::{Body, Control, EventKind, SpawnError};
 
 /// Height of a tunnel for a crouched body, on the grid.
 const LOW: f64 = 77.0 / 64.0;
@@ -224,4 +224,26 @@ fn scene_69_bad_numbers_are_errors() {
     });
     assert_eq!(Point::snap(v(f64::NAN, 0.0)), None);
     assert!(Collider::new(vec![Point::new(0, 0), Point::new(1, 0)]).is_err());
+}
+
+#[test]
+fn who_is_pulled_off_a_slope_in_the_coyote_time_jumps_at_once() {
+    // Off the edge at 1.5 s, down on a slope of 2 in 1 at 1.5267 s, where no jump is granted; pushing off it takes the body into
+    // the air, where the coyote time still counts, at the moment of the press and not at some later event.
+    let scene = Scene::point()
+        .under(&[(-5.0, 0.0), (0.0, 0.0), (5.0, -10.0)], -12.0)
+        .tune(|t| t.air_accel = 40.0);
+    scene.each(|run| {
+        run.spawn(-0.1, 0.01).advance(1.0).walk(0.2).hold(0.0);
+        run.advance(1.56);
+        assert!(!run.airborne() && !run.supported(), "sliding");
+        run.control(Control {
+            run: 1.0,
+            jump: true,
+            ..Control::default()
+        });
+        run.advance(1.57);
+        assert_eq!(run.when(|kind| kind == EventKind::Jumped), 1.56);
+        close(run.speed().y, 12.0 - 30.0 * 0.01, 1e-9);
+    });
 }
