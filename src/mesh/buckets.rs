@@ -107,6 +107,16 @@ impl Buckets {
         })
     }
 
+    /// The items of the cell of a point and of the eight around it, its own first.
+    pub fn items_around(&self, p: Point) -> impl Iterator<Item = u32> + '_ {
+        let (column, row) = (i64::from(p.x) >> self.shift, i64::from(p.y) >> self.shift);
+        let order = [0, -1, 1];
+        let cells = order
+            .into_iter()
+            .flat_map(move |dx| order.map(|dy| (column + dx, row + dy)));
+        cells.flat_map(|(column, row)| self.items(Self::key(column, row)))
+    }
+
     /// Adds an item to a cell.
     pub fn add(&mut self, cell: u64, item: u32) {
         let head = self.heads.entry(cell).or_insert(NONE);
@@ -189,7 +199,27 @@ mod tests {
         buckets.remove(1, 12);
         buckets.remove(1, 10);
         buckets.add(3, 7);
-        assert_eq!((items(&buckets, 1), items(&buckets, 3)), (vec![], vec![7]));
         assert_eq!(buckets.links.len(), 4, "links are used again");
+    }
+
+    #[test]
+    fn items_around_a_point_are_those_of_nine_cells() {
+        let mut buckets = Buckets::new(3);
+        for (item, at) in [
+            (20, (-1, 8)),
+            (21, (7, 15)),
+            (22, (8, 0)),
+            (23, (16, 8)),
+            (24, (7, -1)),
+        ] {
+            buckets.add(buckets.cell_of(Point::new(at.0, at.1)), item);
+        }
+        let around = |x: i32, y: i32| buckets.items_around(Point::new(x, y)).collect::<Vec<_>>();
+        assert_eq!(
+            around(0, 8),
+            [21, 20, 22],
+            "its own cell first, then by columns"
+        );
+        assert_eq!(around(8, 0), [22, 24, 21, 23]);
     }
 }

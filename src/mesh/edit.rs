@@ -210,7 +210,11 @@ impl Mesh {
         }
         self.triangulation.legalise();
         let points = self.arrangement.points();
-        for v in self.nearby_order(&diff.born) {
+        let born = self.nearby_order(&diff.born);
+        if let Some(v) = born.first().and_then(|first| self.neighbour(*first)) {
+            self.triangulation.start_at(v.0);
+        }
+        for v in born {
             self.triangulation.insert(v.0, points[v.index()]);
         }
         let rerouted = diff.rerouted.iter().map(|r| (r.segment, r.new.as_slice()));
@@ -224,6 +228,13 @@ impl Mesh {
             }
         }
         self.triangulation.legalise();
+    }
+
+    /// A vertex of the triangulation near one that is not in it yet: a short way to where it belongs, however large the mesh.
+    fn neighbour(&self, v: VertexId) -> Option<VertexId> {
+        let p = self.arrangement.points()[v.index()];
+        let is_there = |v: &VertexId| self.triangulation.topology.has_vertex(v.0);
+        self.arrangement.near(p).find(is_there)
     }
 
     /// The edge between two consecutive vertices of a chain that is in the triangulation.

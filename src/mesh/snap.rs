@@ -91,6 +91,11 @@ impl Arrangement {
         &self.originals[segment.index()].chain
     }
 
+    /// The hot pixels near a grid point, in no particular order; there may be others that are as near.
+    pub fn near(&self, p: Point) -> impl Iterator<Item = VertexId> + '_ {
+        self.pixels.items_around(p).map(VertexId)
+    }
+
     /// Ends of a segment.
     pub fn ends(&self, segment: SegmentId) -> (Point, Point) {
         let s = &self.originals[segment.index()];

@@ -33,7 +33,7 @@ pub struct Triangulation {
     fixed: Vec<bool>,
     /// Edges that may have become illegal.
     suspects: Vec<Quarter>,
-    /// The vertex that was inserted last: where the next walk starts.
+    /// Where the next walk starts: the vertex that was inserted last, or one that is nearer to the next.
     recent: u32,
 }
 
@@ -109,6 +109,11 @@ impl Triangulation {
             Ordering::Greater => false,
             Ordering::Equal => o.min(d) < l.min(r),
         }
+    }
+
+    /// Lets the next insertion look for its place from a vertex.
+    pub fn start_at(&mut self, v: u32) {
+        self.recent = v;
     }
 
     /// Inserts a vertex into a legal triangulation and makes it legal again. The point must lie strictly inside

@@ -111,7 +111,8 @@ fn check_chains(
         let segments = mesh.segments_of(feature);
         let at = |i: usize| mesh.segment(segments[i % segments.len()]);
         let closed = (0..segments.len()).all(|i| at(i).b == at(i + 1).a);
-        let gain = i32::from(closed && mesh.kind_of(feature) != Some(Kind::OneWay));
+        let gain =
+            i32::from(closed && matches!(mesh.kind_of(feature), Some(Kind::Solid | Kind::Region)));
         for &s in segments {
             let (a, b) = (spot(mesh.segment(s).a), spot(mesh.segment(s).b));
             let chain = mesh.chain(s);
