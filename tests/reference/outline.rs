@@ -232,6 +232,10 @@ fn pushed_out(outline: &[Corner], shape: &[Corner]) -> Vec<(Corner, Corner)> {
             edges.push((a, b));
         }
         let before = along(i + n - 1);
+        if cross(before, d) == 0 && rear != front {
+            // A corner of half a turn on a line along a side of the shape: both edges stop short of it.
+            edges.push((plus(outline[i], rear), plus(outline[i], front)));
+        }
         let turned_to = |&(a, b): &(Corner, Corner)| {
             cross(before, minus(b, a)) > 0 && cross(minus(b, a), d) > 0
         };
@@ -311,4 +315,37 @@ fn covered(side: &Side, hull: &[Corner]) -> Option<(Double, Double)> {
         }
     }
     (low < high && !(high - low).is_tiny()).then_some((low, high))
+}
+
+/// The middle of three corners on one line along the collider's foot leaves no gap, and a notch narrower than the foot closes.
+#[test]
+fn grown_ground_is_whole() {
+    let point = |(x, y): (i32, i32)| Point::new(x, y);
+    let shape = [(-2, 0), (2, 0), (2, 5), (-2, 5)].map(point).to_vec();
+    let shape = Collider::new(shape).unwrap();
+    let outline = [
+        (0, 0),
+        (30, 0),
+        (30, 9),
+        (20, 9),
+        (12, 9),
+        (12, 4),
+        (9, 4),
+        (9, 9),
+        (0, 9),
+    ];
+    let world = World::new(&[outline.map(point).to_vec()], &shape);
+    let top = world.sides.iter().filter(|side| side.walkable(1.0));
+    let mut spans: Vec<(f64, f64)> = top
+        .map(|side| (side.at(side.from), side.at(side.to)))
+        .map(|(a, b)| (a.x.to_f64() / STEP, b.x.to_f64() / STEP))
+        .collect();
+    spans.sort_by(|a, b| a.0.total_cmp(&b.0));
+    assert_eq!((spans[0].0, spans[spans.len() - 1].1), (-2.0, 32.0));
+    assert!(
+        spans.windows(2).all(|pair| pair[1].0 <= pair[0].1),
+        "{spans:?}"
+    );
+    let inside = |x: f64, y: f64| world.depth(Vector::new(x * STEP, y * STEP)) > 0.0;
+    assert!(inside(10.5, 8.0) && !inside(10.5, 9.5) && inside(32.0 - 0.1, 3.0));
 }
