@@ -5,6 +5,7 @@
 
 use edgewalker::game::{Input, Stage, Stance, View, World};
 use edgewalker::level::{self, Level};
+use edgewalker::motion::grip::Grip;
 use edgewalker::tune::Tuning;
 use std::path::Path;
 use std::sync::Arc;
@@ -149,6 +150,14 @@ impl Player {
         let grounded = matches!(stance, Stance::Ground | Stance::Wedge);
         self.flown |= !grounded;
         let full = self.tuning.motion.run_speed;
+        if self.world.hero().grip() != Grip::None {
+            // At a ledge he climbs up.
+            let up = true;
+            return Some(Input {
+                up,
+                ..Input::default()
+            });
+        }
         match act {
             Run(x) | Duck(x) => {
                 let way = (x - from).signum();

@@ -113,6 +113,12 @@ fn tuning(dice: &mut Dice) -> Motion {
         joint_stick: dice.between(0.0, 60.0),
         joint_span: dice.between(0.3, 2.0),
         concave: f64::from(dice.below(2)),
+        // What the reference does not know.
+        corner_correction: 0.0,
+        ledge_correction: 0.0,
+        wall_slide_speed: 0.0,
+        wall_jump_up: 0.0,
+        ledge_hang: 0.0,
         ..Motion::default()
     }
 }

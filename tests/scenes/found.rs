@@ -5,10 +5,15 @@ use edgewalker::geom::STEP;
 use edgewalker::motion::EventKind;
 use edgewalker::tune::Motion;
 
-/// Solids given in grid steps, for a point under the usual tuning.
+/// Solids given in grid steps, for a point under the usual tuning but for wall jumps.
 fn steps(solids: &[&[(i32, i32)]]) -> Scene {
     let metres = |&(x, y): &(i32, i32)| (f64::from(x) * STEP, f64::from(y) * STEP);
-    let scene = Scene::point().tune(|t| *t = Motion::default());
+    let scene = Scene::point().tune(|t| {
+        *t = Motion {
+            wall_jump_up: 0.0,
+            ..Motion::default()
+        };
+    });
     solids.iter().fold(scene, |scene, solid| {
         scene.solid(&solid.iter().map(metres).collect::<Vec<_>>())
     })

@@ -89,6 +89,13 @@ pub fn plain() -> Motion {
         joint_stick: 0.0,
         floor_snap: 0.0,
         step_up: 0.0,
+        corner_correction: 0.0,
+        ledge_correction: 0.0,
+        wall_slide_speed: 0.0,
+        wall_jump_out: 0.0,
+        wall_jump_up: 0.0,
+        ledge_hang: 0.0,
+        ledge_magnet: 0.0,
         ..Motion::default()
     }
 }
