@@ -5,7 +5,7 @@ use super::grip::Grip;
 use super::law;
 use super::roots::exit;
 use super::terrain::{Ground, Terrain};
-use super::track::{Track, delta, walkable};
+use super::track::{Track, delta};
 use super::vertex::{JOINT_STEPS, segment_at};
 use crate::geom::{Point, STEP};
 use crate::mesh::{EdgeId, SegmentId};
@@ -63,7 +63,7 @@ impl Air {
             return Some(over_piece);
         };
         // Others that share the piece and face the same way are within a step of the one that was left.
-        let normal = |s: SegmentId| Track::of(mesh.segment(s)).normal;
+        let normal = |s: SegmentId| mesh.track(s).normal;
         let across = |s: SegmentId| normal(s).dot(normal(left)) < 0.5;
         let mut others = mesh.facing(e).filter(|&s| !self.touches(s));
         if others.any(across) {
@@ -84,7 +84,7 @@ impl Air {
     /// When a feature edge is hit that was just left, whatever the pieces say: they may point anywhere. Heights over it within
     /// a step are rounding and count as none, unless they grow or shrink.
     fn comes_back_to(&self, mesh: Ground, segment: SegmentId) -> Option<f64> {
-        let track = Track::of(mesh.segment(segment));
+        let track = mesh.track(segment);
         let (c, b, q) = track.height(self.p0, self.v0, self.accel);
         let on_it = (-STEP..=0.0).contains(&c);
         let along = on_it && b.abs() <= 16.0 * f64::EPSILON * self.v0.length();
@@ -144,7 +144,7 @@ impl Air {
         let Some(s) = segment_at(mesh, e, tuning.max_slope, |_| false) else {
             return dt;
         };
-        let (c, b, q) = Track::of(mesh.segment(s)).height(self.p0, self.v0, self.accel);
+        let (c, b, q) = mesh.track(s).height(self.p0, self.v0, self.accel);
         let moved =
             |there: f64| (self.position(self.t0 + there) - self.position(self.t0 + dt)).length();
         let c = if c >= -STEP { c.max(0.0) } else { c };
@@ -168,7 +168,7 @@ impl Body {
             air.since = since;
         }
         trace.crossed += 1;
-        self.schedule(terrain);
+        self.come_to_place(terrain, trace);
     }
 
     /// At a blocking edge.
@@ -177,6 +177,9 @@ impl Body {
         let at = self.local_position();
         if let Mode::Air(air) = &mut self.mode {
             air.since = since;
+        }
+        if self.climb_onto(edge, terrain, trace) {
+            return;
         }
         match segment_at(mesh, edge, terrain.tuning.max_slope, |_| false) {
             Some(segment) => self.contact(segment, edge, terrain, trace),
@@ -188,7 +191,7 @@ impl Body {
     /// Meets a feature edge on one of its pieces. At an end of the piece, as rounding goes, the vertex decides.
     fn contact(&mut self, segment: SegmentId, edge: EdgeId, terrain: &Terrain, trace: &mut Trace) {
         let mesh = self.ground(terrain);
-        let track = Track::of(mesh.segment(segment));
+        let track = mesh.track(segment);
         let (at, v) = (self.local_position(), self.local_velocity());
         let into = -track.normal.dot(v);
         if let Mode::Air(air) = &mut self.mode
@@ -199,8 +202,9 @@ impl Body {
             air.touching[1] = Some(segment);
             return;
         }
-        if self.correct_corner(edge, segment, terrain, trace)
-            || self.correct_ledge(edge, segment, terrain, trace)
+        if !self.climbing
+            && (self.correct_corner(edge, segment, terrain, trace)
+                || self.correct_ledge(edge, segment, terrain, trace))
         {
             return;
         }
@@ -252,16 +256,15 @@ impl Body {
         trace: &mut Trace,
     ) {
         let mesh = self.ground(terrain);
-        let feature_edge = mesh.segment(segment);
-        let walkable = walkable(feature_edge, terrain.tuning.max_slope);
+        let walkable = mesh.walkable(segment);
         self.off_wall = None;
         if walkable {
-            (self.rising, self.coyote_from) = (false, None);
+            (self.rising, self.coyote_from, self.climbing) = (false, None, false);
             self.log(EventKind::Landed(into), trace);
         } else {
             self.log(EventKind::Hit(into), trace);
         }
-        let track = Track::of(feature_edge);
+        let track = mesh.track(segment);
         let (accel, limit, since, against) = (0.0, None, 0.0, 0.0);
         self.mode = Mode::Surface(Surface {
             t0: self.time,
@@ -300,6 +303,9 @@ impl Body {
     /// Whether gravity and the active push together point away from a steep surface. The drag of a released stick alone
     /// lifts nobody off, but it may hold one on: in flight the whole acceleration must lead away.
     pub(super) fn pulled_off(&self, track: &Track, speed: f64, terrain: &Terrain) -> bool {
+        if self.climbing {
+            return self.climbs_off(track);
+        }
         let v = track.tangent * speed;
         let (x, y) = (
             law::steer(v.x, &self.control, terrain.tuning),
@@ -320,7 +326,7 @@ impl Body {
             .ground(terrain)
             .left(edge)
             .expect("free on the left of a blocking edge");
-        (self.rising, self.off_wall) = (false, None);
+        (self.rising, self.off_wall, self.climbing) = (false, None, false);
         self.mode = Mode::Wedge(Wedge { at, face });
         self.log(EventKind::Wedged, trace);
     }

@@ -2,11 +2,12 @@
 
 pub use super::event::{Event, EventKind, Trace};
 use super::grip::Grip;
+use super::ladder::Reach;
 use super::mover::Ride;
 use super::terrain::{Ground, Terrain};
 use super::track::Track;
 use super::wall::{Lock, OffWall};
-use crate::mesh::{EdgeId, FaceId, Mesh, SegmentId};
+use crate::mesh::{EdgeId, FaceId, FeatureId, Mesh, SegmentId};
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
 use xxhash_rust::xxh3::Xxh3;
@@ -170,6 +171,15 @@ pub struct Body {
     pub(super) coyote_from: Option<f64>,
     /// The wall that was come off last, without anything met since.
     pub(super) off_wall: Option<OffWall>,
+    /// The regions that it is in, ascending.
+    #[serde(default)]
+    pub(super) regions: Vec<FeatureId>,
+    /// It holds on to a ladder.
+    #[serde(default)]
+    pub(super) climbing: bool,
+    /// Whether up or down, if held, takes hold of one.
+    #[serde(default)]
+    pub(super) reach: Reach,
     /// In the rise of a jump whose key is still held.
     pub(super) rising: bool,
     /// The next event and its time; `None` if nothing will ever happen by itself.
@@ -288,7 +298,9 @@ impl Body {
 
     /// The mesh of what carries the body, as it meets it.
     pub(super) fn ground<'a>(&self, terrain: &Terrain<'a>) -> Ground<'a> {
-        terrain.ground_under(self.carrier(), self.size)
+        terrain
+            .ground_under(self.carrier(), self.size)
+            .climbed(self.climbing)
     }
 
     /// When the next event is due, if there will be one.
@@ -377,6 +389,8 @@ impl Body {
             u8::from(self.size == Size::Crouch),
             u8::from(self.rising),
             self.grip() as u8,
+            u8::from(self.climbing),
+            self.reach as u8,
         ];
         hash.update(&flags);
         let timer = |t: Option<f64>| t.unwrap_or(-1.0);

@@ -2,12 +2,11 @@
 
 use super::body::{Body, Mode, Size, Trace};
 use super::grip::Grip;
-use super::terrain::{Ground, Terrain};
-use super::track::Track;
+use super::terrain::{Ground, Region, Terrain};
 use super::vertex::JOINT_STEPS;
 use super::wall::is_wall;
 use crate::geom::STEP;
-use crate::mesh::SegmentId;
+use crate::mesh::{FeatureId, SegmentId};
 
 /// Checks I1 (the place is free, and an airborne position is in it), I2 (the surface's edge exists, blocks, carries the
 /// feature edge, the parameter is on it, the road is its own, and a limit of the speed lies ahead; who holds on is upright
@@ -33,6 +32,7 @@ pub fn check(body: &Body, terrain: &Terrain, trace: &Trace) -> Result<(), String
         Mode::Surface(_) => on_edge(body, mesh).and_then(|()| holds_on(body, mesh))?,
         Mode::Wedge(_) | Mode::Crushed(_) => {}
     }
+    in_regions(body, terrain)?;
     let bound = 64 + trace.crossed + trace.passed;
     if trace.events.len() as u64 > bound {
         return Err(format!(
@@ -58,7 +58,7 @@ fn in_face(body: &Body, mesh: Ground) -> Result<(), String> {
         let ends = [mesh.origin(e), mesh.dest(e)].map(|v| mesh.point(v).metres());
         let along = ends[1] - ends[0];
         let outside = -along.perp_dot(p - ends[0]) / along.length();
-        let before_feature_edge = |s| Track::of(mesh.segment(s)).height(p, p, p).0 >= -slack;
+        let before_feature_edge = |s| mesh.track(s).height(p, p, p).0 >= -slack;
         let displaced = match mesh.blocks(e) {
             true => mesh.facing(e).any(|s| touches(s) || before_feature_edge(s)),
             false => touches_cut,
@@ -68,6 +68,24 @@ fn in_face(body: &Body, mesh: Ground) -> Result<(), String> {
                 "I1: {outside:e} m outside its face at {p}, {slack:e} allowed"
             ));
         }
+    }
+    Ok(())
+}
+
+/// The regions that have been told are those around the face; who climbs is on a ladder, and no end of one is in his way that
+/// is not under him.
+fn in_regions(body: &Body, terrain: &Terrain) -> Result<(), String> {
+    let level = terrain.mesh(body.size());
+    let face = body.level_face(level);
+    let told = body.regions();
+    let region = |f: &FeatureId| terrain.traits_of(*f).region;
+    let around = level.cover(face).iter().copied();
+    let around: Vec<_> = around.filter(|f| region(f) != Region::None).collect();
+    if around != told && !matches!(body.mode(), Mode::Crushed(_)) {
+        return Err(format!("I1: in regions {around:?}, told of {told:?}"));
+    }
+    if body.climbing() && !told.iter().any(|f| region(f) == Region::Ladder) {
+        return Err("I1: climbs outside of ladders".into());
     }
     Ok(())
 }
@@ -82,7 +100,7 @@ fn on_edge(body: &Body, mesh: Ground) -> Result<(), String> {
     if !mesh.facing(on.edge).any(|s| s == on.segment) {
         return Err("I2: the feature edge does not run along the edge under the body".into());
     }
-    if !on.track.same_line(&Track::of(mesh.segment(on.segment))) {
+    if !on.track.same_line(&mesh.track(on.segment)) {
         return Err("I2: the road under the body is not that of its feature edge".into());
     }
     if on

@@ -2,7 +2,7 @@
 
 use super::body::{Body, Mode, Trace};
 use super::terrain::Terrain;
-use super::track::{Track, walkable};
+use super::track::Track;
 use super::vertex::{Bearing, Sector, sector, segment_at};
 use crate::mesh::{EdgeId, SegmentId, VertexId};
 use glam::DVec2;
@@ -70,12 +70,33 @@ impl Body {
                 };
                 self.settle(m.segment, m.edge, s, along, m.into, terrain, trace);
             }
+            None if self.climbing => self.stop_at(&a, &b, vertex, terrain, trace),
             None => {
                 let at = a.track.corner(&b.track, mesh.point(vertex));
                 self.wedge(at, out, terrain, trace);
             }
         }
         true
+    }
+
+    /// One who climbs, between two edges that both lead back: he stops on the first, against the other.
+    fn stop_at(
+        &mut self,
+        a: &Meeting,
+        b: &Meeting,
+        vertex: VertexId,
+        terrain: &Terrain,
+        trace: &mut Trace,
+    ) {
+        let mesh = self.ground(terrain);
+        let s = a
+            .track
+            .parameter_at_joint(mesh.segment(a.segment), &b.track, mesh.point(vertex));
+        self.settle(a.segment, a.edge, s, 0.0, a.into.max(0.0), terrain, trace);
+        if let Mode::Surface(on) = &mut self.mode {
+            let away = (mesh.origin(a.edge) == vertex) == a.track.leftward_free;
+            on.against = if away { -1.0 } else { 1.0 };
+        }
     }
 
     /// How a motion at a vertex meets one of the edges there.
@@ -89,7 +110,7 @@ impl Body {
         let mesh = self.ground(terrain);
         let v = self.local_velocity();
         let segment = segment_at(mesh, edge, terrain.tuning.max_slope, |_| false)?;
-        let track = Track::of(mesh.segment(segment));
+        let track = mesh.track(segment);
         let into = -track.normal.dot(v);
         // Along the edge and away from the vertex: with the free side on the left for the edge that starts there.
         let away = if (mesh.origin(edge) == vertex) == track.leftward_free {
@@ -105,7 +126,7 @@ impl Body {
             along: track.tangent.dot(v),
             outward: track.tangent.dot(Bearing::of(v, accel).d) * away,
             struck: into > 0.0 || into == 0.0 && track.normal.dot(accel) < 0.0,
-            walkable: walkable(mesh.segment(segment), terrain.tuning.max_slope),
+            walkable: mesh.walkable(segment),
             normal_y: track.normal.y,
         })
     }

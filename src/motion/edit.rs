@@ -41,7 +41,7 @@ struct Seen {
 impl Body {
     /// What the body holds on to, before an edit of the level. To be taken with the meshes as they are before it.
     pub fn anchor(&self, terrain: &Terrain) -> Anchor {
-        let ground = terrain.ground(self.size);
+        let ground = terrain.ground(self.size).climbed(self.climbing);
         let face = self.carrier().is_none().then(|| self.face(&ground));
         let named = |s: SegmentId| *ground.segment(s);
         let touching = match &self.mode {
@@ -63,9 +63,9 @@ impl Body {
 
     /// Takes its place in the meshes as they are after an edit of the level. An event only if its place is no more.
     pub fn rehome(&mut self, anchor: &Anchor, terrain: &Terrain, trace: &mut Trace) {
-        let ground = terrain.ground(self.size);
+        let ground = terrain.ground(self.size).climbed(self.climbing);
         if self.is_untouched(anchor, ground) && !self.has_lost_ledge(terrain) {
-            return self.schedule(terrain);
+            return self.come_to_place(terrain, trace);
         }
         match &self.mode {
             _ if self.frame.is_some() => {}
@@ -126,7 +126,7 @@ impl Body {
     /// On a surface: further along the same feature edge if that is still there and free, else along another one on the same
     /// line, else in the air.
     fn stand_again(&mut self, anchor: &Anchor, terrain: &Terrain, trace: &mut Trace) {
-        let ground = terrain.ground(self.size);
+        let ground = terrain.ground(self.size).climbed(self.climbing);
         let Mode::Surface(on) = &mut self.mode else {
             return;
         };
@@ -146,7 +146,7 @@ impl Body {
         let is_same = Some(segment) == same;
         (on.edge, on.segment) = (edge, segment);
         if is_same && on.against == 0.0 && on.grip == Grip::None {
-            return self.schedule(terrain);
+            return self.come_to_place(terrain, trace);
         }
         // Another feature may have other traits, and the wall may be gone: a new piece, at the same place and speed.
         self.rebase();
@@ -158,7 +158,7 @@ impl Body {
 
     /// In flight: the same parabola, in a face of the new mesh.
     fn fly_on(&mut self, anchor: &Anchor, terrain: &Terrain, trace: &mut Trace) {
-        let ground = terrain.ground(self.size);
+        let ground = terrain.ground(self.size).climbed(self.climbing);
         let (p, v) = (self.position(), self.velocity());
         let now = self.time;
         let Mode::Air(air) = &mut self.mode else {
@@ -170,7 +170,7 @@ impl Body {
         match free_face(ground, p, v, air.accel) {
             Ok(face) if !is_in_solid(ground, p) => {
                 (air.face, air.since) = (face, now - air.t0);
-                self.schedule(terrain);
+                self.come_to_place(terrain, trace);
             }
             _ => self.move_out(p, v, terrain, trace),
         }
@@ -178,7 +178,7 @@ impl Body {
 
     /// What held the body is no more: in the air, where it is, as fast as it was.
     fn come_loose(&mut self, kind: EventKind, terrain: &Terrain, trace: &mut Trace) {
-        let ground = terrain.ground(self.size);
+        let ground = terrain.ground(self.size).climbed(self.climbing);
         let (p, v) = (self.position(), self.velocity());
         if kind == EventKind::Left {
             self.coyote_from = Some(self.time);
@@ -195,7 +195,7 @@ impl Body {
 
     /// Out of the solid that was put over the body, to the nearest point of its rim. A step or less is rounding, and no event.
     fn move_out(&mut self, p: DVec2, v: DVec2, terrain: &Terrain, trace: &mut Trace) {
-        let ground = terrain.ground(self.size);
+        let ground = terrain.ground(self.size).climbed(self.climbing);
         let Some((edge, at)) = nearest_rim(ground, p, v) else {
             return self.hold(terrain, trace);
         };

@@ -101,7 +101,7 @@ impl Body {
             self.control.run * away < 0.0
                 || self.control.run == 0.0 && (self.control.up || self.control.down)
         };
-        self.size == Size::Stand && away.is_some_and(pushes)
+        self.size == Size::Stand && !self.climbing && away.is_some_and(pushes)
     }
 
     fn is_at_climbable(&self, terrain: &Terrain) -> bool {
@@ -170,6 +170,7 @@ impl Body {
         terrain.tuning.ledge_hang > 0.0
             && self.size == Size::Stand
             && self.grip() == Grip::None
+            && !self.climbing
             && !self.control.down
             && self
                 .away_from_wall(terrain)

@@ -27,7 +27,7 @@ pub(super) struct Joint {
     /// Exact direction of the motion so far.
     pub(super) before: (i64, i64),
     /// The edge out of the vertex that has the face beside the surface so far on its left.
-    beside: EdgeId,
+    pub(super) beside: EdgeId,
     /// The next edge of the surface, if it goes on.
     pub(super) next: Option<EdgeId>,
 }
@@ -93,7 +93,7 @@ impl Joint {
 
     /// The way on along an edge of the surface, as part of a feature edge.
     pub(super) fn onto(&self, mesh: Ground, edge: EdgeId, segment: SegmentId) -> Onward {
-        let track = Track::of(mesh.segment(segment));
+        let track = mesh.track(segment);
         let grows = (self.heading == Heading::Along) == track.leftward_free;
         let sign = if grows { 1.0 } else { -1.0 };
         let after = track.heading(sign);
@@ -116,7 +116,7 @@ impl Joint {
     }
 
     /// The speed that is lost where only `kept` of it goes on.
-    fn lost(&self, kept: f64) -> f64 {
+    pub(super) fn lost(&self, kept: f64) -> f64 {
         (self.speed * self.speed - kept * kept).max(0.0).sqrt()
     }
 
@@ -169,8 +169,7 @@ impl Body {
         let sign = on.sign();
         let heading = on.heading(sign);
         let next = surface_next(mesh, on.edge, heading);
-        let same_line =
-            |s: SegmentId| s == on.segment || Track::of(mesh.segment(s)).same_line(&on.track);
+        let same_line = |s: SegmentId| s == on.segment || mesh.track(s).same_line(&on.track);
         let onward = next.and_then(|next| {
             segment_at(mesh, next, terrain.tuning.max_slope, same_line).map(|s| (next, s))
         });
@@ -243,7 +242,7 @@ impl Body {
         let mesh = self.ground(terrain);
         let steepest = terrain.tuning.max_slope;
         let next = onward.map(|on| (on.edge, on.segment));
-        let next = next.filter(|&(_, s)| walkable(mesh.segment(s), steepest));
+        let next = next.filter(|&(_, s)| mesh.walkable(s));
         let (edge, s) = match next {
             Some((_, s)) if !is_lip(mesh.segment(s)) => next,
             _ => {
@@ -380,6 +379,9 @@ impl Body {
         terrain: &Terrain,
         trace: &mut Trace,
     ) {
+        if self.climbing {
+            return self.ladder_joint(joint, onward, terrain, trace);
+        }
         let mesh = self.ground(terrain);
         if self.climb_joint(&joint, onward.as_ref(), terrain, trace) {
             return;
@@ -400,7 +402,7 @@ impl Body {
         let u = on.sign * kept;
         let (sinks, goes_down) = (joint.before.1 < 0, on.after.1 < 0);
         let lasts = kept > 0.0 || !self.pulled_off(&on.track, 0.0, terrain);
-        if walkable(mesh.segment(on.segment), terrain.tuning.max_slope) {
+        if mesh.walkable(on.segment) {
             // Who is driven against the slope that he comes down on stands at its foot: else each return would set him off again.
             let crouched = self.size == Size::Crouch;
             let footing = Footing::under(on.segment, &on.track, mesh, terrain);

@@ -8,8 +8,8 @@
 //!
 //! In reading order: [`terrain`] and [`mover`] (in what?), [`roots`] (when?), [`track`] (along what?), [`vertex`] (what
 //! next?), [`law`] and [`footing`] (how fast?), [`body`] (the state), [`event`] (what happens to it), `step` (the sequence
-//! of events) with `air`, `corner`, `surface`, `joint`, `held`, `snap`, `stair`, `one_way` and `size`; [`wall`], [`grip`],
-//! [`ledge`] and `correct` (at walls), [`Anchor`] (edits under a body), [`check`] (the invariants).
+//! of events) with `air`, `corner`, `surface`, `joint`, `held`, `snap`, `stair`, `one_way`, `region`, `ladder` and `size`;
+//! [`wall`], [`grip`], [`ledge`] and `correct` (at walls), [`Anchor`] (edits under a body), [`check`] (the invariants).
 //!
 //! What is absent: swimming, and solids that rotate. Bodies do not meet each other.
 
@@ -24,10 +24,12 @@ pub mod footing;
 pub mod grip;
 mod held;
 mod joint;
+mod ladder;
 pub mod law;
 pub mod ledge;
 pub mod mover;
 mod one_way;
+mod region;
 pub mod roots;
 mod size;
 mod snap;

@@ -4,9 +4,9 @@
 //! down is simply put into the face on the other side, there and then: no request stays open that could be lost.
 
 use super::body::{Air, Body, EventKind, Mode, Trace};
+use super::ladder::Reach;
 use super::surface::beside;
 use super::terrain::{Ground, Terrain};
-use super::track::Track;
 use crate::geom::STEP;
 use crate::mesh::{EdgeId, FaceId, Segment};
 
@@ -29,6 +29,7 @@ impl Body {
             air.through = Some(through);
         }
         (self.rising, self.coyote_from, self.pressed_at) = (false, None, None);
+        self.reach = Reach::Anew;
         self.log(EventKind::Dropped, trace);
         true
     }
@@ -38,7 +39,7 @@ impl Body {
         let (mesh, at) = (self.ground(terrain), self.local_position());
         if let Mode::Air(air) = &mut self.mode
             && let Some(through) = air.through
-            && Track::of(mesh.segment(through)).height(at, at, at).0.abs() > STEP
+            && mesh.track(through).height(at, at, at).0.abs() > STEP
         {
             air.through = None;
         }
@@ -66,7 +67,11 @@ impl Body {
                         old.sides(here).into_iter().any(|e| faces_it(side(e), one))
                     })
             };
-            away <= self.rounding() && (crossed(e, false) || crossed(new.sym(e), true))
+            // Who climbs keeps to his ladder in the same way.
+            let [here, there] =
+                [e, new.sym(e)].map(|e| new.left(e).is_some_and(|f| new.is_ladder(f)));
+            let lost = self.climbing && !here && there;
+            away <= self.rounding() && (crossed(e, false) || crossed(new.sym(e), true) || lost)
         };
         let across = new.sides(face).into_iter().find(|&e| differs(e));
         let across = across.and_then(|e| new.left(new.sym(e)));
@@ -81,14 +86,14 @@ impl Air {
         let Some(through) = self.through.filter(|_| mesh.is_one_way(e)) else {
             return false;
         };
-        let line = Track::of(mesh.segment(through));
+        let line = mesh.track(through);
         let (c, b, q) = line.height(self.p0, self.v0, self.accel);
         let highest = match (b > 0.0, q < 0.0) {
             (false, _) => c,
             (true, true) => c - b * b / (4.0 * q),
             (true, false) => f64::INFINITY,
         };
-        let on_line = |s| Track::of(mesh.segment(s)).same_line(&line);
+        let on_line = |s| mesh.track(s).same_line(&line);
         highest <= STEP && mesh.facing(e).all(on_line)
     }
 }

@@ -6,7 +6,7 @@ use super::terrain::{Ground, Terrain};
 use super::track::delta;
 use super::vertex::{Bearing, JOINT_STEPS, Sector, sector, spokes};
 use crate::geom::STEP;
-use crate::mesh::{EdgeId, FaceId, Place, SegmentId, VertexId};
+use crate::mesh::{EdgeId, FaceId, Kind, Place, SegmentId, VertexId};
 use glam::DVec2;
 
 /// The free face that holds a position, or borders it where it lies on an edge or a vertex; towards `v`, then `accel`. On
@@ -118,7 +118,7 @@ impl Body {
     /// Down means crouch on the ground; in the air it only keeps a body crouched.
     fn wished_size(&self) -> Size {
         let may = self.supported() || self.size == Size::Crouch;
-        if self.control.down && may {
+        if self.control.down && may && !self.climbing {
             Size::Crouch
         } else {
             Size::Stand
@@ -127,10 +127,15 @@ impl Body {
 
     /// Takes its place in the mesh of another size. False, and nothing changed, if there is no room.
     fn fit(&mut self, size: Size, terrain: &Terrain) -> bool {
-        let mesh = terrain.ground(size);
+        let mesh = terrain.ground(size).climbed(self.climbing);
         self.rebase();
         let (p, v, carrier) = (self.local_position(), self.local_velocity(), self.carrier());
-        if let Mode::Surface(on) = &mut self.mode {
+        let on_border = self
+            .segment()
+            .is_some_and(|s| self.ground(terrain).kind(s) == Kind::Region);
+        if let Mode::Surface(on) = &mut self.mode
+            && !on_border
+        {
             let old = *terrain.ground_under(carrier, self.size).segment(on.segment);
             let same = mesh
                 .segment_of(old.feature, old.source)

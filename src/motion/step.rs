@@ -5,6 +5,7 @@ use super::body::{
 };
 use super::footing::Footing;
 use super::grip::Grip;
+use super::ladder::Reach;
 use super::law;
 use super::terrain::Terrain;
 use crate::mesh::{FaceId, SegmentId};
@@ -30,6 +31,9 @@ impl Body {
             pressed_at: None,
             coyote_from: None,
             off_wall: None,
+            regions: Vec::new(),
+            climbing: false,
+            reach: Reach::Open,
             rising: false,
             next: None,
         };
@@ -64,6 +68,9 @@ impl Body {
         if control.jump && !before.jump {
             self.pressed_at = Some(self.time);
         }
+        if control.up && !before.up || control.down && !before.down {
+            self.reach = Reach::Open;
+        }
         self.rebase();
         if !control.jump && before.jump {
             self.cut_jump(terrain);
@@ -97,7 +104,9 @@ impl Body {
             Next::Cross(edge, since) => return self.cross(edge, since, terrain, trace),
             Next::Hit(edge, since) => self.hit(edge, since, terrain, trace),
             Next::Limit => self.reach_limit(trace),
-            Next::Vertex if self.pass_vertex(terrain, trace) => return self.schedule(terrain),
+            Next::Vertex if self.pass_vertex(terrain, trace) => {
+                return self.come_to_place(terrain, trace);
+            }
             Next::Vertex => {}
             Next::Clear(parameter) => self.come_clear(parameter),
             Next::Unlock => self.unlock(trace),
@@ -109,6 +118,8 @@ impl Body {
     /// After an event: sizes and jumps that have waited for it, the new accelerations, the next event.
     pub(super) fn refresh(&mut self, terrain: &Terrain, trace: &mut Trace) {
         self.come_apart_from_one_way(terrain);
+        self.note_regions(terrain, trace);
+        self.mind_ladders(terrain, trace);
         self.resize_as_wished(terrain, trace);
         self.jump_if_asked(terrain, trace);
         self.grip_as_wished(terrain, trace);
@@ -122,7 +133,7 @@ impl Body {
         if let Mode::Surface(on) = &mut self.mode {
             on.stand_against_wall();
         }
-        self.schedule(terrain);
+        self.come_to_place(terrain, trace);
     }
 
     /// Starts a new piece here and now.
@@ -167,10 +178,14 @@ impl Body {
     /// A jump, if one was asked for not too long ago and there is ground, or was not too long ago; else one from a wall.
     fn jump_if_asked(&mut self, terrain: &Terrain, trace: &mut Trace) {
         let t = terrain.tuning;
-        if !self.within(self.pressed_at, t.jump_buffer) || self.drop_if_asked(terrain, trace) {
+        if !self.within(self.pressed_at, t.jump_buffer)
+            || self.drop_if_asked(terrain, trace)
+            || self.let_go_if_asked(terrain, trace)
+        {
             return;
         }
         let grounded = match &self.mode {
+            _ if self.climbing => true,
             Mode::Air(_) => self.within(self.coyote_from, t.coyote_time),
             Mode::Surface(on) => on.walkable,
             Mode::Wedge(_) => true,
@@ -195,6 +210,9 @@ impl Body {
         v.y = v.y.max(0.0) + t.jump_speed;
         let touching = [self.segment(), None];
         self.fly(p, v, face, touching);
+        if std::mem::take(&mut self.climbing) {
+            self.reach = Reach::AfterApex;
+        }
         self.log(EventKind::Jumped, trace);
         self.rise(terrain);
     }
@@ -225,6 +243,10 @@ impl Body {
     /// Chooses the constant accelerations of the piece that starts now, and when they stop to hold.
     fn choose_law(&mut self, terrain: &Terrain) {
         let (t, control) = (terrain.tuning, self.control);
+        if self.climbing {
+            return self.choose_on_ladder(t);
+        }
+        let turns = self.reach == Reach::AfterApex;
         let slows = self.is_slowed_by_wall(terrain);
         let (mesh, crouched) = (self.ground(terrain), self.size == Size::Crouch);
         let limit = |from: f64, law: law::Law, speed: f64| {
@@ -235,10 +257,15 @@ impl Body {
         match &mut self.mode {
             Mode::Air(air) => {
                 let run = air.lock.map_or(control.run, |lock| lock.run);
-                let (x, y) = (
+                let (x, fall) = (
                     law::steer(air.v0.x, &Control { run, ..control }, t),
                     law::fall(air.v0.y, &control, t),
                 );
+                let y = if turns {
+                    fall.up_to_turn(air.v0.y)
+                } else {
+                    fall
+                };
                 air.accel = DVec2::new(x.accel, y.accel);
                 air.limits = [limit(air.t0, x, air.v0.x), limit(air.t0, y, air.v0.y)];
             }

@@ -3,7 +3,6 @@
 use super::body::{Next, Surface};
 use super::roots::cover;
 use super::terrain::Ground;
-use super::track::Track;
 use super::vertex::{Heading, ahead, segment_at, surface_next};
 use crate::mesh::{EdgeId, SegmentId};
 use glam::DVec2;
@@ -32,7 +31,7 @@ impl Surface {
             return self.track.parameter_of(vertex);
         }
         let next = surface_next(mesh, self.edge, heading);
-        let road = |s| Track::of(mesh.segment(s));
+        let road = |s| mesh.track(s);
         let same_line = |s: SegmentId| s == self.segment || road(s).same_line(&self.track);
         let next = next.and_then(|next| segment_at(mesh, next, mesh.max_slope, same_line));
         match next {

@@ -2,8 +2,8 @@
 
 use super::body::Size;
 use super::mover::Mover;
-use super::track::walkable;
-use crate::mesh::{EdgeId, FeatureId, Kind, Mesh, SegmentId};
+use super::track::{Track, delta, walkable};
+use crate::mesh::{EdgeId, FaceId, FeatureId, Kind, Mesh, Segment, SegmentId, Use};
 use crate::tune::Motion;
 use serde::{Deserialize, Serialize};
 use std::ops::Deref;
@@ -86,6 +86,7 @@ impl<'a> Terrain<'a> {
             mesh: self.mesh(size),
             traits: self.traits,
             max_slope: self.tuning.max_slope,
+            climbing: false,
         }
     }
 
@@ -97,6 +98,7 @@ impl<'a> Terrain<'a> {
                 mesh: self.movers[mover as usize].mesh(size),
                 traits: self.traits,
                 max_slope: self.tuning.max_slope,
+                climbing: false,
             },
         }
     }
@@ -138,6 +140,8 @@ pub struct Ground<'a> {
     pub traits: &'a [Traits],
     /// Steepest ground that can be stood on.
     pub max_slope: f64,
+    /// To who climbs on a ladder: its top and its bottom stop him, one-ways do not.
+    pub climbing: bool,
 }
 
 impl<'a> Ground<'a> {
@@ -148,17 +152,27 @@ impl<'a> Ground<'a> {
             .is_some_and(|t| t.conveyor != 0.0 || t.friction.is_some())
     }
 
+    /// The same as it meets one who climbs on a ladder, or does not.
+    pub fn climbed(self, climbing: bool) -> Ground<'a> {
+        Ground { climbing, ..self }
+    }
+
     /// Whether a body left of the edge is stopped by it: by a solid on its right, by a line, or by the front of a one-way that
     /// can be stood on. So a one-way is decided by the face that the body comes from, and by nothing else.
     #[inline]
     pub fn blocks(&self, e: EdgeId) -> bool {
-        self.mesh.blocks(e) || self.mesh.has_front(e) && self.has_front_that_stops(e)
+        self.mesh.blocks(e)
+            || self.mesh.has_front(e) && self.has_front_that_stops(e)
+            || self.climbing && self.ends_ladder(e)
     }
 
     /// Whether one-ways alone stop a body left of the edge.
     pub fn is_one_way(&self, e: EdgeId) -> bool {
         let is_line = |s: SegmentId| self.mesh.kind(s) == Kind::Line;
-        !self.mesh.blocks(e) && self.blocks(e) && !self.mesh.fronts(e).any(is_line)
+        !self.mesh.blocks(e)
+            && self.mesh.has_front(e)
+            && self.has_front_that_stops(e)
+            && !self.mesh.fronts(e).any(is_line)
     }
 
     fn has_front_that_stops(&self, e: EdgeId) -> bool {
@@ -166,25 +180,70 @@ impl<'a> Ground<'a> {
         free && self.mesh.fronts(e).any(|s| self.stops(s))
     }
 
+    /// Whether a ladder covers the face.
+    pub fn is_ladder(&self, f: FaceId) -> bool {
+        self.mesh.cover(f).iter().any(|&f| self.is_rung(f))
+    }
+
+    fn is_rung(&self, feature: FeatureId) -> bool {
+        let traits = self.traits.get(feature as usize);
+        traits.is_some_and(|t| t.region == Region::Ladder)
+    }
+
+    /// Whether an edge is the top or the bottom of the ladder on its left, with free space beyond.
+    fn ends_ladder(&self, e: EdgeId) -> bool {
+        let [inside, beyond] = [e, self.mesh.sym(e)].map(|e| self.mesh.left(e));
+        let is_ladder = |f: Option<FaceId>| f.is_some_and(|f| self.is_ladder(f));
+        let free = inside.is_some_and(|f| !self.mesh.is_solid(f));
+        let mut uses = self.mesh.uses(e);
+        free && is_ladder(inside)
+            && !is_ladder(beyond)
+            && uses.any(|u| u.forward && self.is_end(u.segment))
+    }
+
+    /// Whether a feature edge is the top or the bottom of a ladder: rising at most 45 degrees.
+    fn is_end(&self, s: SegmentId) -> bool {
+        let segment = self.mesh.segment(s);
+        let (dx, dy) = delta(segment.a, segment.b);
+        dy.abs() <= dx.abs() && self.is_rung(segment.feature)
+    }
+
     /// The feature edges along an edge that a body left of it can meet: those of solids and of one-ways that have their free
     /// side, or their front, there. Regions, and one-ways too steep to stand on, stop nobody.
     pub fn facing(self, e: EdgeId) -> impl Iterator<Item = SegmentId> + 'a {
-        let facing = self.mesh.uses(e).filter(|u| !u.forward);
-        facing.map(|u| u.segment).filter(move |&s| self.stops(s))
+        let meets = move |u: &Use| match self.mesh.kind(u.segment) {
+            Kind::Region => u.forward && self.climbing && self.is_end(u.segment),
+            _ => !u.forward && self.stops(u.segment),
+        };
+        self.mesh.uses(e).filter(meets).map(|u| u.segment)
     }
 
     /// Whether a feature edge stops who comes from its free side, or its front.
     fn stops(&self, s: SegmentId) -> bool {
         match self.mesh.kind(s) {
             Kind::Solid | Kind::Line => true,
-            Kind::OneWay => self.walkable(s),
+            Kind::OneWay => !self.climbing && self.walkable(s),
             Kind::Region => false,
         }
     }
 
     /// Whether a feature edge can be stood on.
     pub fn walkable(&self, s: SegmentId) -> bool {
-        walkable(self.mesh.segment(s), self.max_slope)
+        self.mesh.kind(s) != Kind::Region && walkable(self.mesh.segment(s), self.max_slope)
+    }
+
+    /// The road along a feature edge; that of a ladder's end is on its inside.
+    pub fn track(&self, s: SegmentId) -> Track {
+        let segment = *self.mesh.segment(s);
+        let Segment { a, b, .. } = segment;
+        match self.mesh.kind(s) {
+            Kind::Region => Track::of(&Segment {
+                a: b,
+                b: a,
+                ..segment
+            }),
+            _ => Track::of(&segment),
+        }
     }
 }
 

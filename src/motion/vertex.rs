@@ -4,7 +4,7 @@
 use super::terrain::Ground;
 use super::track::{cross, delta, dot, walkable};
 use crate::geom::Point;
-use crate::mesh::{EdgeId, FaceId, Segment, SegmentId, VertexId};
+use crate::mesh::{EdgeId, FaceId, Kind, Segment, SegmentId, VertexId};
 use glam::DVec2;
 
 /// Rises, drops and gaps of at most this many grid steps between walkable edges count as joints: the one geometric
@@ -76,7 +76,7 @@ pub fn segment_at(
         let d = delta(segment.a, segment.b);
         (
             prefer(s),
-            walkable(segment, max_slope),
+            mesh.kind(s) != Kind::Region && walkable(segment, max_slope),
             mesh.drives(segment.feature),
             dot(d, d),
             std::cmp::Reverse((segment.feature, segment.source)),
@@ -278,7 +278,7 @@ fn across_slit(
 }
 
 fn walkable_at(mesh: Ground, e: EdgeId, max_slope: f64) -> Option<SegmentId> {
-    segment_at(mesh, e, max_slope, |_| false).filter(|&s| walkable(mesh.segment(s), max_slope))
+    segment_at(mesh, e, max_slope, |_| false).filter(|&s| mesh.walkable(s))
 }
 
 /// The edges out of a vertex, counter-clockwise.

@@ -1,0 +1,286 @@
+//! Ladders: regions to climb in, up, down and sideways, without gravity.
+//!
+//! Who climbs is in the air, or on something too steep to stand on; his velocity is driven towards the wish. Solids stop
+//! him, one-ways do not. On ground that he comes to he stands. The top and the bottom of a ladder, its border edges of at most
+//! 45 degrees, stop him as if the outside were solid ([`Ground`] says so to who climbs): he rests there exactly, for as
+//! long as he likes. Over the other edges he steps off and falls.
+//!
+//! Up takes hold, and so does down in the air or on a one-way with the ladder going on below; held keys count. A jump leaves
+//! the ladder, and what is held takes hold again only when it rises no more. Who lets go (down and jump) or steps off has to
+//! press anew, or to stand first.
+
+use super::body::{Body, EventKind, Mode, Trace};
+use super::grip::Grip;
+use super::joint::{Joint, Onward};
+use super::law::Law;
+use super::surface::beside;
+use super::terrain::{Ground, Region, Terrain};
+use super::track::{Track, delta};
+use super::vertex::{segment_at, spokes};
+use crate::mesh::{EdgeId, FaceId, SegmentId};
+use crate::tune::Motion;
+use glam::DVec2;
+use serde::{Deserialize, Serialize};
+
+/// Whether a key that is held takes hold of a ladder.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Reach {
+    /// Yes.
+    #[default]
+    Open,
+    /// Not before the jump off a ladder has come to its apex.
+    AfterApex,
+    /// Not before it is pressed anew, or the body has stood.
+    Anew,
+}
+
+/// How a body takes hold.
+enum Hold {
+    /// Where it is, in the air or along something steep.
+    Here,
+    /// From ground that it stands on, or from a wedge.
+    Off,
+    /// Through the one-way that it stands on, into the face below.
+    Below(FaceId),
+}
+
+impl Body {
+    /// Whether the body holds on to a ladder.
+    pub fn climbing(&self) -> bool {
+        self.climbing
+    }
+
+    fn on_ladder(&self, terrain: &Terrain) -> bool {
+        let is_ladder = |&f: &u32| terrain.traits_of(f).region == Region::Ladder;
+        self.regions.iter().any(is_ladder)
+    }
+
+    /// The wish of one who climbs, as a share of full speed.
+    fn climb_wish(&self) -> DVec2 {
+        let share = |key: bool| f64::from(u8::from(key));
+        let up = share(self.control.up) - share(self.control.down);
+        DVec2::new(self.control.run, up)
+    }
+
+    /// Whether the regions around the body make it take hold or lose its hold.
+    pub(super) fn minds_ladder(&self, terrain: &Terrain) -> bool {
+        self.climbing && !self.on_ladder(terrain) || self.hold_wished(terrain).is_some()
+    }
+
+    /// How the body would take hold now, if it would.
+    fn hold_wished(&self, terrain: &Terrain) -> Option<Hold> {
+        let wish = self.climb_wish();
+        if self.climbing || self.reach != Reach::Open || wish.y == 0.0 {
+            return None;
+        }
+        let inside = self.on_ladder(terrain);
+        match &self.mode {
+            Mode::Air(_) => inside.then_some(Hold::Here),
+            Mode::Surface(on) if !on.walkable => {
+                (inside && on.grip == Grip::None).then_some(Hold::Here)
+            }
+            Mode::Surface(on) if wish.y > 0.0 => {
+                // Only if that leads off the ground: else he would land again at once.
+                let v = on.track.tangent * on.speed(self.time);
+                let [x, y] = self.climb_laws(v, terrain.tuning);
+                let away = on.track.normal.dot(DVec2::new(x.accel, y.accel)) > 0.0;
+                (inside && away).then_some(Hold::Off)
+            }
+            Mode::Surface(on) => {
+                let mesh = self.ground(terrain);
+                let below = mesh.left(mesh.sym(on.edge))?;
+                let goes_on = self.frame.is_none() && mesh.is_one_way(on.edge);
+                (goes_on && mesh.is_ladder(below)).then_some(Hold::Below(below))
+            }
+            Mode::Wedge(_) => (inside && wish.y > 0.0).then_some(Hold::Off),
+            Mode::Crushed(_) => None,
+        }
+    }
+
+    /// Loses its hold outside of ladders, and takes hold where it wants to and can.
+    pub(super) fn mind_ladders(&mut self, terrain: &Terrain, trace: &mut Trace) {
+        let rises = self.velocity().y > 0.0;
+        if self.supported() || self.reach == Reach::AfterApex && !rises {
+            self.reach = Reach::Open;
+        }
+        if self.climbing && !self.on_ladder(terrain) {
+            self.lose_hold(terrain, trace);
+        }
+        let Some(hold) = self.hold_wished(terrain) else {
+            return;
+        };
+        let mesh = self.ground(terrain);
+        let (p, v) = (self.local_position(), self.local_velocity());
+        match hold {
+            Hold::Here => {}
+            Hold::Off => self.fly(p, v, self.face(&mesh), [self.segment(), None]),
+            Hold::Below(face) => {
+                let e = self.edge().expect("it stands");
+                self.fly(beside(mesh, mesh.sym(e), p), v, face, [None; 2]);
+            }
+        }
+        if let Mode::Air(air) = &mut self.mode {
+            (air.lock, air.through) = (None, None);
+        }
+        self.climbing = true;
+        (self.rising, self.coyote_from, self.off_wall) = (false, None, None);
+        self.log(EventKind::Climbed, trace);
+    }
+
+    /// Holds on no longer: in the air, or sliding, from here on.
+    fn lose_hold(&mut self, terrain: &Terrain, trace: &mut Trace) {
+        self.climbing = false;
+        self.reach = Reach::Anew;
+        if let Mode::Surface(on) = &self.mode
+            && !self.ground(terrain).blocks(on.edge)
+        {
+            let face = self.face(&self.ground(terrain));
+            self.fly(
+                self.local_position(),
+                self.local_velocity(),
+                face,
+                [None; 2],
+            );
+        }
+        self.log(EventKind::LetGo, trace);
+    }
+
+    /// Lets go, if down is held with the jump that was pressed; that is used up.
+    pub(super) fn let_go_if_asked(&mut self, terrain: &Terrain, trace: &mut Trace) -> bool {
+        let asked = self.climbing && self.control.down;
+        if asked {
+            self.lose_hold(terrain, trace);
+            self.pressed_at = None;
+        }
+        asked
+    }
+
+    fn climb_laws(&self, v: DVec2, t: &Motion) -> [Law; 2] {
+        let goal = self.climb_wish() * t.climb_speed;
+        [(v.x, goal.x), (v.y, goal.y)].map(|(speed, goal)| Law::towards(speed, goal, t.climb_accel))
+    }
+
+    /// The accelerations of one who climbs: each part of the velocity towards the wish for it; along something steep, only
+    /// the part along that.
+    pub(super) fn choose_on_ladder(&mut self, t: &Motion) {
+        let wish = self.climb_wish();
+        let limit = |from: f64, law: Law, speed: f64| {
+            let left = law.until.zip(law.time_left(speed));
+            left.map(|(until, left)| (from + left, until))
+        };
+        let laws = self.climb_laws(self.local_velocity(), t);
+        match &mut self.mode {
+            Mode::Air(air) => {
+                let [x, y] = laws;
+                air.accel = DVec2::new(x.accel, y.accel);
+                air.limits = [limit(air.t0, x, air.v0.x), limit(air.t0, y, air.v0.y)];
+            }
+            Mode::Surface(on) => {
+                let goal = wish.dot(on.track.tangent) * t.climb_speed;
+                let law = Law::towards(on.u0, goal, t.climb_accel).up_to_turn(on.u0);
+                on.accel = law.accel;
+                on.limit = limit(on.t0, law, on.u0);
+            }
+            Mode::Wedge(_) | Mode::Crushed(_) => {}
+        }
+    }
+
+    /// Whether the wish of one who climbs leads away from what he leans on.
+    pub(super) fn climbs_off(&self, track: &Track) -> bool {
+        track.normal.dot(self.climb_wish()) > 0.0
+    }
+
+    /// At the top of a ladder, in line with a one-way: up onto that, for there is no climbing on. False if it is none.
+    pub(super) fn climb_onto(
+        &mut self,
+        border: EdgeId,
+        terrain: &Terrain,
+        trace: &mut Trace,
+    ) -> bool {
+        let plain = self.ground(terrain).climbed(false);
+        let floor = plain.sym(border);
+        if !self.climbing || plain.mesh.blocks(border) || !plain.is_one_way(floor) {
+            return false;
+        }
+        let Some(segment) = segment_at(plain, floor, plain.max_slope, |_| false) else {
+            return false;
+        };
+        self.stand_up_on(floor, segment, terrain, trace);
+        true
+    }
+
+    /// From the ladder onto ground that is just here.
+    fn stand_up_on(
+        &mut self,
+        edge: EdgeId,
+        segment: SegmentId,
+        terrain: &Terrain,
+        trace: &mut Trace,
+    ) {
+        let track = Track::of(self.ground(terrain).mesh.segment(segment));
+        let s = track.parameter(self.local_position());
+        let along = track.tangent.dot(self.local_velocity());
+        self.climbing = false;
+        self.settle(segment, edge, s, along, 0.0, terrain, trace);
+    }
+
+    /// One who climbs along something steep, or along the end of his ladder, at a joint: onto ground, on if he wishes, past
+    /// an end, else he stops.
+    pub(super) fn ladder_joint(
+        &mut self,
+        joint: Joint,
+        onward: Option<Onward>,
+        terrain: &Terrain,
+        trace: &mut Trace,
+    ) {
+        let mesh = self.ground(terrain);
+        if joint
+            .next
+            .is_some_and(|next| self.climb_onto(next, terrain, trace))
+        {
+            return;
+        }
+        if let Some((edge, segment)) = ground_beyond(&joint, mesh) {
+            return self.stand_up_on(edge, segment, terrain, trace);
+        }
+        let Some(on) = onward.filter(|on| on.towards) else {
+            let end = joint.next;
+            return self.leave(joint, end, terrain, trace);
+        };
+        let kept = (joint.speed * on.cosine).max(0.0);
+        let leads_on = self.climb_wish().dot(on.track.tangent) * on.sign > 0.0;
+        if leads_on || mesh.walkable(on.segment) {
+            let into = joint.lost(kept);
+            self.settle(
+                on.segment,
+                on.edge,
+                on.start,
+                on.sign * kept,
+                into,
+                terrain,
+                trace,
+            );
+        } else {
+            self.stop(&joint, Some(&on), trace, mesh);
+        }
+    }
+}
+
+/// The ground that begins where the end of a ladder ends, in the direction of the motion: the top of a ledge beside it.
+fn ground_beyond(joint: &Joint, mesh: Ground) -> Option<(EdgeId, SegmentId)> {
+    let plain = mesh.climbed(false);
+    let forward = joint.before.0.signum();
+    if forward == 0 || mesh.mesh.kind(joint.segment) != crate::mesh::Kind::Region {
+        return None;
+    }
+    let home = mesh.origin(joint.beside);
+    let onward = spokes(plain, home).filter(|&out| {
+        let (from, to) = (plain.point(home), plain.point(plain.dest(out)));
+        delta(from, to).0.signum() == forward
+    });
+    let mut edges = onward.map(|out| if forward > 0 { out } else { plain.sym(out) });
+    edges.find_map(|e| {
+        let found = segment_at(plain, e, plain.max_slope, |_| false).filter(|_| plain.blocks(e))?;
+        plain.walkable(found).then_some((e, found))
+    })
+}

@@ -1,0 +1,54 @@
+//! Regions: a body is in those that cover the free face of its place in the level. Coming and going are events at the very
+//! time at which the place changes: where a flight crosses an edge, a walker passes a vertex, a size or a side is changed.
+//!
+//! Regions cut edges of the mesh into pieces, and that is all that they do to it: they stop nobody, and no piece of the
+//! motion gets a new base. What a ladder does is in [`super::ladder`].
+
+use super::body::{Body, EventKind, Trace};
+use super::terrain::{Region, Terrain};
+use crate::mesh::{FaceId, FeatureId, Mesh};
+
+impl Body {
+    /// The regions that the body is in, ascending: those features whose traits make them one. Where it is put at the start
+    /// it is without an event.
+    pub fn regions(&self) -> &[FeatureId] {
+        &self.regions
+    }
+
+    /// The face of the level's mesh, of the body's size, that the body is in or beside, whatever carries it.
+    pub fn level_face(&self, level: &Mesh) -> FaceId {
+        self.face(level)
+    }
+
+    /// Tells which regions the body has come out of and into. True if there are any.
+    pub(super) fn note_regions(&mut self, terrain: &Terrain, trace: &mut Trace) -> bool {
+        let level = terrain.mesh(self.size);
+        let cover = level.cover(self.level_face(level));
+        if cover.is_empty() && self.regions.is_empty() {
+            return false;
+        }
+        let is_region = |f: &FeatureId| terrain.traits_of(*f).region != Region::None;
+        let now = || cover.iter().copied().filter(is_region);
+        if now().eq(self.regions.iter().copied()) {
+            return false;
+        }
+        let before = std::mem::replace(&mut self.regions, now().collect());
+        for &left in before.iter().filter(|f| !self.regions.contains(f)) {
+            self.log(EventKind::Exited(left), trace);
+        }
+        for &new in self.regions.iter().filter(|f| !before.contains(f)) {
+            self.log(EventKind::Entered(new), trace);
+        }
+        true
+    }
+
+    /// After a change of the place that is no event of the motion, unless a ladder makes it one.
+    pub(super) fn come_to_place(&mut self, terrain: &Terrain, trace: &mut Trace) {
+        if self.note_regions(terrain, trace) && self.minds_ladder(terrain) {
+            self.rebase();
+            self.refresh(terrain, trace);
+        } else {
+            self.schedule(terrain);
+        }
+    }
+}
