@@ -51,9 +51,9 @@ fn in_face(body: &Body, mesh: Ground) -> Result<(), String> {
     };
     let p = body.position();
     let slack = body.rounding();
-    let touches = |s: SegmentId| air.touching.contains(&Some(s));
+    let touches = |s: SegmentId| air.touching.contains(&Some(s)) || air.through == Some(s);
     let cut = |&s: &SegmentId| mesh.chain(s).len() > 2;
-    let touches_cut = air.touching.iter().flatten().any(cut);
+    let touches_cut = air.touching.iter().chain([&air.through]).flatten().any(cut);
     for e in mesh.sides(air.face) {
         let ends = [mesh.origin(e), mesh.dest(e)].map(|v| mesh.point(v).metres());
         let along = ends[1] - ends[0];

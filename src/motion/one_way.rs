@@ -5,7 +5,6 @@
 
 use super::body::{Air, Body, EventKind, Mode, Trace};
 use super::ladder::Reach;
-use super::surface::beside;
 use super::terrain::{Ground, Terrain};
 use crate::geom::STEP;
 use crate::mesh::{EdgeId, FaceId, Segment};
@@ -23,8 +22,8 @@ impl Body {
         let beyond = mesh.sym(on.edge);
         let face = mesh.left(beyond).expect("a one-way is free on either side");
         let through = on.segment;
-        let p = beside(mesh, beyond, self.local_position());
-        self.fly(p, self.local_velocity(), face, [None; 2]);
+        let (p, v) = (self.local_position(), self.local_velocity());
+        self.fly(p, v, face, [None; 2]);
         if let Mode::Air(air) = &mut self.mode {
             air.through = Some(through);
         }
