@@ -385,12 +385,10 @@ impl Body {
             Mode::Crushed(_) => (4, [p.x, p.y]),
         };
         let flags = [
-            mode,
+            mode + 8 * u8::from(self.climbing) + 16 * self.reach as u8,
             u8::from(self.size == Size::Crouch),
             u8::from(self.rising),
             self.grip() as u8,
-            u8::from(self.climbing),
-            self.reach as u8,
         ];
         hash.update(&flags);
         let timer = |t: Option<f64>| t.unwrap_or(-1.0);
