@@ -326,7 +326,8 @@ impl Body<'_> {
             let steps = c / STEP.into();
             (steps - steps.to_f64().round().into()).abs().to_f64() < 1e-12
         };
-        self.blurred += u32::from(!(whole(p.x) && whole(p.y)));
+        let rounded = !(whole(p.x) && whole(p.y));
+        self.blurred += u32::from(rounded);
         let accel = self.acceleration();
         let clean = |a: Double| if a.is_tiny() { 0.0 } else { a.to_f64() };
         let met = sides.map(|(side, away)| {
@@ -348,6 +349,9 @@ impl Body<'_> {
             );
             (side, outward, rank)
         });
+        if rounded && met.iter().all(|m| m.2.0) {
+            self.doubt("a fall into a rounded corner");
+        }
         let follows = |m: &&(usize, f64, (bool, bool, bool, f64, f64))| m.2.0 && (m.2.1 || m.2.2);
         let best = met.iter().filter(follows);
         match best.max_by(|a, b| a.2.partial_cmp(&b.2).expect("numbers")) {
