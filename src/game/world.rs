@@ -4,7 +4,7 @@ use super::meshes::Shape;
 use super::snapshot::State;
 use super::stage::{Edit, EditError, Land, Stage};
 use super::{Input, Stance, View};
-use crate::level::Material;
+use crate::level::Feature;
 use crate::mesh::{Mesh, MeshError};
 use crate::motion::{Body, Control, EventKind, Mode, Size, SpawnError, Trace, check};
 use crate::tune::{Motion, Tuning};
@@ -245,7 +245,7 @@ impl World {
             },
             crouched: hero.size() == Size::Crouch,
             facing: state.facing,
-            material: self.underfoot(),
+            material: self.underfoot().map(|feature| feature.material),
             left_at: state.left_at,
             landed_at: state.landed_at,
             landed_speed: state.landed_speed,
@@ -254,17 +254,18 @@ impl World {
         }
     }
 
-    /// What the feature is made of that the hero is on.
-    fn underfoot(&self) -> Option<Material> {
-        let hero = self.hero();
-        let segment = hero.segment()?;
-        let land = &self.lands[HERO];
-        let mesh = match hero.carrier() {
-            Some(mover) => land.movers[mover as usize].mesh(hero.size()),
-            None => self.mesh(),
-        };
-        let feature = self.stage.feature(mesh.segment(segment).feature)?;
-        Some(feature.material)
+    /// The feature that the hero is on.
+    pub fn underfoot(&self) -> Option<&Feature> {
+        let segment = self.hero().segment()?;
+        self.stage
+            .feature(self.mesh_under().segment(segment).feature)
+    }
+
+    /// The mesh of what carries the hero: of a mover, where it was drawn, or of the level.
+    pub fn mesh_under(&self) -> &Mesh {
+        let carrier = self.hero().carrier();
+        let mover = carrier.and_then(|i| self.lands[HERO].movers.get(i as usize));
+        mover.map_or(self.mesh(), |mover| mover.mesh(self.hero().size()))
     }
 
     /// Hash of the state, equal on every machine and in every build.
@@ -312,9 +313,8 @@ impl World {
         &self.lands[self.state.actors[body].shape]
     }
 
-    /// How far each mover is from where it was drawn, m.
-    pub fn offsets(&self) -> impl ExactSizeIterator<Item = DVec2> {
-        let time = self.time();
+    /// How far each mover is from where it was drawn at a time near now, m.
+    pub fn offsets_at(&self, time: f64) -> impl ExactSizeIterator<Item = DVec2> {
         let offset = move |mover: &crate::motion::Mover| mover.piece_at(time).offset(time);
         self.lands[HERO].movers.iter().map(offset)
     }

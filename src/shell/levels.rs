@@ -7,6 +7,9 @@ use std::path::{Path, PathBuf};
 /// Folders with levels, those for players first.
 const FOLDERS: &[&str] = &["levels", "levels/dev"];
 
+/// Files beside the levels that hold the tuning for one of them end like this.
+const TUNING: &str = ".tuning.ron";
+
 /// All level files, by folder and name.
 pub fn list() -> Vec<PathBuf> {
     FOLDERS
@@ -20,9 +23,11 @@ fn in_folder(folder: &Path) -> Vec<PathBuf> {
         return Vec::new();
     };
     let paths = entries.filter_map(|entry| Some(entry.ok()?.path()));
-    let mut levels: Vec<PathBuf> = paths
-        .filter(|path| path.extension().is_some_and(|e| e == "ron"))
-        .collect();
+    let is_level = |path: &PathBuf| {
+        let name = path.to_string_lossy();
+        name.ends_with(".ron") && !name.ends_with(TUNING)
+    };
+    let mut levels: Vec<PathBuf> = paths.filter(is_level).collect();
     levels.sort();
     levels
 }

@@ -16,16 +16,19 @@ impl App {
         let pixels = self.platform.pixels();
         let view = self.play.view(share);
         let covered = self.overlay.covered(&self.platform);
+        let offsets: Vec<DVec2> = self.play.world.offsets_at(view.time).collect();
         let pose = beside(self.play.pose(share, &self.tuning), covered, pixels);
         let drawing = if self.overlay.open || self.overlay.show.mesh {
             let show = self.overlay.show;
-            Drawing::new(show, &self.play, self.mesh_picture(), &view, &pose).scaled_to(pixels.1)
+            let picture = self.mesh_picture();
+            Drawing::new(show, &self.play, picture, &offsets, &view, &pose).scaled_to(pixels.1)
         } else {
             Drawing::default()
         };
         // The view's own time: what moves in the world stands still with it.
         let frame = Frame {
             view: &view,
+            offsets: &offsets,
             camera: camera(&pose),
             time: view.time,
             lines: &drawing.lines,
@@ -65,8 +68,7 @@ impl App {
         let stage = self.play.world.stage();
         self.renderer.set_stage(stage);
         let land = self.play.world.land(0);
-        self.mesh_pictures =
-            [&land.stand, &land.crouch].map(|meshes| MeshPicture::new(&meshes.level));
+        self.mesh_pictures = [&land.stand, &land.crouch].map(MeshPicture::new);
     }
 
     /// The mesh that the hero moves in now.

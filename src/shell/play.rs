@@ -3,6 +3,7 @@
 use crate::cli::summary::Summary;
 use crate::game::camera::{CameraState, Pose};
 use crate::game::{Input, Stage, View, World};
+use crate::motion::Event;
 use crate::tune::Tuning;
 use glam::DVec2;
 use std::collections::VecDeque;
@@ -10,6 +11,9 @@ use std::sync::Arc;
 
 /// Seconds of the hero's path that are kept to be drawn.
 const TRAIL: u32 = 1;
+
+/// Ticks with events whose events are kept to be listed.
+const TICKS: usize = 3;
 
 /// A world, the moment before it, and the camera's.
 pub struct Play {
@@ -27,6 +31,7 @@ pub struct Play {
     pose_before: Pose,
     pose: Pose,
     trail: VecDeque<DVec2>,
+    happened: VecDeque<(u64, Vec<Event>)>,
 }
 
 impl Play {
@@ -49,6 +54,7 @@ impl Play {
             pose_before: pose,
             pose,
             trail,
+            happened: VecDeque::new(),
         }
     }
 
@@ -56,7 +62,13 @@ impl Play {
     pub fn tick(&mut self, input: Input, look: f64, tuning: &Tuning) {
         self.world.step(input, tuning);
         self.summary.watch(&self.world);
-        self.events += self.world.trace().events.len() as u64;
+        let events = &self.world.trace().events;
+        self.events += events.len() as u64;
+        if !events.is_empty() {
+            self.happened
+                .push_front((self.world.tick(), events.clone()));
+            self.happened.truncate(TICKS);
+        }
         self.before = std::mem::replace(&mut self.now, self.world.view());
         self.camera.step(
             &self.now,
@@ -100,6 +112,11 @@ impl Play {
         } else {
             settled
         }
+    }
+
+    /// The last ticks in which something happened to the hero, and what: the latest first.
+    pub fn happened(&self) -> &VecDeque<(u64, Vec<Event>)> {
+        &self.happened
     }
 
     /// Where the hero was at the ticks of the last second, the oldest first.

@@ -111,6 +111,7 @@ fn camera(at: DVec2) -> CameraPose {
 /// Draws a view and gives its pixels; OpenGL must have nothing to complain about.
 fn shoot(renderer: &mut Renderer, view: &View, camera: CameraPose) -> Vec<u8> {
     let frame = Frame {
+        offsets: &[],
         view,
         camera,
         time: view.time,
@@ -320,6 +321,7 @@ fn debug_drawings(studio: &Studio) {
         colour: [0.0, 1.0, 0.0, 1.0],
     }];
     let frame = Frame {
+        offsets: &[],
         view: &view,
         camera: pose,
         time: 0.0,
@@ -360,6 +362,7 @@ fn any_size(studio: &Studio) {
         (u32::MAX, 1),
     ] {
         let frame = Frame {
+            offsets: &[],
             view: &view,
             camera: camera(DVec2::ZERO),
             time: 0.0,

@@ -59,6 +59,7 @@ fn write_replay(path: &Path) -> World {
             run,
             jump: tick % 90 < 30,
             down: tick % 200 > 180,
+            up: false,
             retry: tick == 700,
         });
     }

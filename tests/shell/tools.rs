@@ -69,10 +69,10 @@ pub fn a_tunable_acts(_: &Path) {
 }
 
 /// Where things are in the panel of a picture of 1280 by 720.
-const FILTER: (i32, i32) = (200, 499);
-const FIRST_SLIDER: (i32, i32) = (177, 545);
-const LEVELS: (i32, i32) = (200, 349);
-const FIRST_LEVEL: (i32, i32) = (60, 373);
+const FILTER: (i32, i32) = (200, 624);
+const FIRST_SLIDER: (i32, i32) = (177, 670);
+const LEVELS: (i32, i32) = (200, 474);
+const FIRST_LEVEL: (i32, i32) = (60, 498);
 const BESIDE_THE_PANEL: (i32, i32) = (900, 300);
 
 fn with_panel() -> App {

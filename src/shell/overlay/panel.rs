@@ -1,9 +1,11 @@
 //! The docked window: one column of sections; the long one, the tunables, comes last, that none be out of sight.
 
 use super::scene::Show;
-use super::style::{ALARM, FAINT, size};
+use super::style::{ACCENT, ALARM, FAINT, size};
 use super::{Info, MeshSize, stats, tunables};
-use crate::game::Stance;
+use crate::game::World;
+use crate::motion::grip::Grip;
+use crate::motion::{Event, EventKind, Mode};
 use crate::shell::edits::{Edit, Group, SCALES};
 use glam::DVec2;
 use imgui::{Condition, SliderFlags, TreeNodeFlags, Ui};
@@ -12,6 +14,8 @@ use std::path::Path;
 /// Width in text heights, and at most this share of the picture.
 const WIDTH: f32 = 27.0;
 const SHARE: f32 = 0.45;
+/// Rows of events.
+const ROWS: usize = 4;
 
 /// What the panel remembers between frames.
 #[derive(Debug, Default)]
@@ -59,6 +63,9 @@ fn sections(ui: &Ui, panel: &mut Panel, info: &Info, show: &mut Show, edits: &mu
     }
     if begins_open("Hero") {
         hero(ui, info);
+    }
+    if begins_open("Events") {
+        events(ui, info);
     }
     if begins_open("Drawings") {
         drawings(ui, show);
@@ -143,18 +150,12 @@ fn value(ui: &Ui, name: &str, text: impl AsRef<str>) {
 fn hero(ui: &Ui, info: &Info) {
     let world = &info.play.world;
     let view = world.view();
-    let stance = match view.stance {
-        Stance::Air => "in the air",
-        Stance::Ground => "on the ground",
-        Stance::Slide => "sliding",
-        Stance::Wedge => "wedged",
-    };
-    let size = if view.crouched { ", crouched" } else { "" };
     let (DVec2 { x, y }, velocity) = (view.position, view.velocity);
     let speed = velocity.length();
     let (tick, rate, time) = (world.tick(), world.tick_rate(), view.time);
     for (name, text) in [
-        ("Stance", format!("{stance}{size}")),
+        ("Mode", mode(world)),
+        ("On", footing(world)),
         ("Position", format!("{x:9.4}  {y:9.4} m")),
         (
             "Velocity",
@@ -165,6 +166,79 @@ fn hero(ui: &Ui, info: &Info) {
         ("Input", info.source.to_owned()),
     ] {
         value(ui, name, text);
+    }
+}
+
+/// What the hero is doing, as the motion knows it.
+fn mode(world: &World) -> String {
+    let hero = world.hero();
+    let mode = match hero.mode() {
+        Mode::Air(_) => "in the air",
+        Mode::Surface(_) if hero.supported() => "on the ground",
+        Mode::Surface(_) if hero.grip() != Grip::None => "holding on",
+        Mode::Surface(_) => "on a wall or a steep slope",
+        Mode::Wedge(_) => "wedged",
+        Mode::Crushed(_) => "crushed",
+    };
+    let size = if world.view().crouched {
+        ", crouched"
+    } else {
+        ""
+    };
+    format!("{mode}{size}")
+}
+
+/// What the hero is on: the feature, what it is made of, and what carries it.
+fn footing(world: &World) -> String {
+    let Some(feature) = world.underfoot() else {
+        return "nothing".into();
+    };
+    let carrier = world.hero().carrier();
+    let mover = carrier.and_then(|i| world.stage().level.movers.get(i as usize));
+    let carried = mover.map_or(String::new(), |mover| format!(", carried by {}", mover.id));
+    format!("{}, {:?}{carried}", feature.id, feature.material)
+}
+
+/// What happened in the last ticks in which something did, the latest tick first; always so many rows, so that
+/// nothing below them moves.
+fn events(ui: &Ui, info: &Info) {
+    let world = &info.play.world;
+    let mut rows = Vec::new();
+    for (tick, events) in info.play.happened() {
+        let colour = if *tick == world.tick() { ACCENT } else { FAINT };
+        rows.extend(events.iter().map(|event| (*tick, colour, event)));
+    }
+    let hidden = rows.len().saturating_sub(ROWS);
+    for row in 0..ROWS {
+        let Some((tick, colour, Event { time, kind })) = rows.get(row) else {
+            ui.text("");
+            continue;
+        };
+        let more = match row + 1 == ROWS && hidden > 0 {
+            true => format!("  and {hidden} before"),
+            false => String::new(),
+        };
+        ui.text_colored(*colour, format!("{tick}"));
+        ui.same_line_with_pos(size(ui, 4.0));
+        ui.text(format!("{time:.6} s"));
+        ui.same_line_with_pos(size(ui, 10.0));
+        ui.text(format!("{}{more}", named(world, kind)));
+    }
+}
+
+/// An event in words; regions and movers by their ids.
+fn named(world: &World, kind: &EventKind) -> String {
+    let stage = world.stage();
+    let region = |id: &u32| stage.feature(*id).map_or("?", |feature| &feature.id);
+    let mover = |i: &u32| stage.level.movers.get(*i as usize).map_or("?", |m| &m.id);
+    match kind {
+        EventKind::Entered(id) => format!("Entered {}", region(id)),
+        EventKind::Exited(id) => format!("Exited {}", region(id)),
+        EventKind::Boarded(Some(i)) => format!("Boarded {}", mover(i)),
+        EventKind::Boarded(None) => "Back on the level".into(),
+        EventKind::Pushed(i) => format!("Pushed by {}", mover(i)),
+        EventKind::Node(i) => format!("Turn of {}", mover(i)),
+        kind => format!("{kind:?}"),
     }
 }
 

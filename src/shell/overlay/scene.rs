@@ -2,8 +2,8 @@
 
 use super::MeshSize;
 use crate::game::camera::Pose;
-use crate::game::{Stance, View, World};
-use crate::mesh::{EdgeId, Mesh};
+use crate::game::{Meshes, Stance, View, World};
+use crate::mesh::{self, EdgeId, Mesh};
 use crate::shell::play::Play;
 use crate::shell::render::{Line, Tri};
 use glam::{DVec2, Vec3};
@@ -11,6 +11,8 @@ use glam::{DVec2, Vec3};
 const FREE_EDGE: [f32; 4] = [0.75, 0.85, 1.0, 0.3];
 const WALL_EDGE: [f32; 4] = [1.0, 0.78, 0.35, 0.95];
 const INNER_EDGE: [f32; 4] = [0.62, 0.55, 0.85, 0.55];
+const FRONT_EDGE: [f32; 4] = [0.55, 0.95, 0.55, 0.95];
+const REGION: [f32; 4] = [0.35, 0.65, 1.0, 0.16];
 const SOLID: [f32; 4] = [0.95, 0.40, 0.20, 0.20];
 const FACE: [f32; 4] = [0.35, 0.95, 0.65, 0.22];
 const PLACE: [f32; 4] = [0.35, 1.0, 0.65, 1.0];
@@ -45,12 +47,20 @@ pub struct Show {
     pub hide_world: bool,
 }
 
-/// A mesh put ready for drawing, made once per mesh.
+/// The meshes for one collider put ready for drawing, made once.
 #[derive(Default)]
 pub struct MeshPicture {
-    edges: Vec<(DVec2, DVec2, Kind)>,
-    solid: Vec<[DVec2; 3]>,
+    level: Sheet,
+    movers: Vec<Sheet>,
     size: MeshSize,
+}
+
+/// One mesh as lines and triangles.
+#[derive(Default)]
+struct Sheet {
+    edges: Vec<(DVec2, DVec2, Kind)>,
+    tints: Vec<([DVec2; 3], [f32; 4])>,
+    solid: usize,
 }
 
 /// What an edge is to a body.
@@ -58,59 +68,50 @@ pub struct MeshPicture {
 enum Kind {
     Free,
     Inner,
+    Front,
     Blocking,
 }
 
-impl MeshPicture {
+impl Sheet {
     /// All of a mesh; edges in the order in which they are drawn, the blocking ones last and so on top.
-    pub fn new(mesh: &Mesh) -> MeshPicture {
-        let mut picture = MeshPicture::default();
+    fn new(mesh: &Mesh) -> Sheet {
+        let mut sheet = Sheet::default();
         for face in mesh.faces() {
+            let mut covers = mesh.cover(face).iter();
+            let is_region = covers.any(|&id| mesh.kind_of(id) == Some(mesh::Kind::Region));
+            let corners = || mesh.corners(face).map(|p| p.metres());
             if mesh.is_solid(face) {
-                picture.solid.push(mesh.corners(face).map(|p| p.metres()));
+                sheet.tints.push((corners(), SOLID));
+                sheet.solid += 1;
+            } else if is_region {
+                sheet.tints.push((corners(), REGION));
             }
-            picture.edges.extend(
-                mesh.sides(face)
-                    .into_iter()
-                    .filter(|e| is_first(mesh, *e))
-                    .map(|e| describe(mesh, e)),
-            );
+            let sides = mesh.sides(face).into_iter();
+            let drawn = sides.filter(|e| is_first(mesh, *e));
+            sheet.edges.extend(drawn.map(|e| describe(mesh, e)));
         }
-        picture.edges.sort_by_key(|(_, _, kind)| *kind);
-        let (faces, edges) = (mesh.faces().count(), picture.edges.len());
-        // Euler: a triangulated disc has one vertex more than it has edges beyond its faces.
-        let vertices = (edges + 1).saturating_sub(faces);
-        picture.size = MeshSize {
-            vertices,
-            edges,
-            faces,
-            solid: picture.solid.len(),
-            features: mesh.features().count(),
-        };
-        picture
+        sheet.edges.sort_by_key(|(_, _, kind)| *kind);
+        sheet
     }
 
-    /// How much there is of the mesh.
-    pub fn size(&self) -> MeshSize {
-        self.size
-    }
-
-    /// What meets the window; in a large level that is little of the mesh.
-    fn draw(&self, window: (DVec2, DVec2), out: &mut Drawing) {
-        for corners in self.solid.iter().filter(|corners| meets(window, *corners)) {
+    /// What meets the window, moved; of a mover, only what is its own.
+    fn draw(&self, window: (DVec2, DVec2), offset: DVec2, is_mover: bool, out: &mut Drawing) {
+        let window = (window.0 - offset, window.1 - offset);
+        let at = |p: DVec2| at(p + offset);
+        let tints = self.tints.iter();
+        for (corners, colour) in tints.filter(|(corners, _)| meets(window, corners)) {
             out.tris.push(Tri {
                 corners: corners.map(at),
-                colour: SOLID,
+                colour: *colour,
             });
         }
-        for (a, b, kind) in self
-            .edges
-            .iter()
-            .filter(|(a, b, _)| meets(window, &[*a, *b]))
-        {
+        let edges = self.edges.iter();
+        for (a, b, kind) in edges.filter(|(a, b, _)| meets(window, &[*a, *b])) {
             let (colour, width) = match kind {
+                Kind::Free if is_mover => continue,
                 Kind::Free => (FREE_EDGE, 1.0),
                 Kind::Inner => (INNER_EDGE, 1.5),
+                Kind::Front => (FRONT_EDGE, 2.5),
                 Kind::Blocking => (WALL_EDGE, 3.0),
             };
             out.lines.push(Line {
@@ -119,6 +120,40 @@ impl MeshPicture {
                 colour,
                 width,
             });
+        }
+    }
+}
+
+impl MeshPicture {
+    /// All meshes for a collider.
+    pub fn new(meshes: &Meshes) -> MeshPicture {
+        let (mesh, level) = (&meshes.level, Sheet::new(&meshes.level));
+        let (faces, edges) = (mesh.faces().count(), level.edges.len());
+        let size = MeshSize {
+            // Euler: a triangulated disc has one vertex more than it has edges beyond its faces.
+            vertices: (edges + 1).saturating_sub(faces),
+            edges,
+            faces,
+            solid: level.solid,
+            features: mesh.features().count(),
+        };
+        MeshPicture {
+            level,
+            movers: meshes.movers.iter().map(|mesh| Sheet::new(mesh)).collect(),
+            size,
+        }
+    }
+
+    /// How much there is of the level's mesh.
+    pub fn size(&self) -> MeshSize {
+        self.size
+    }
+
+    /// What meets the window; in a large level that is little of the mesh.
+    fn draw(&self, window: (DVec2, DVec2), offsets: &[DVec2], out: &mut Drawing) {
+        self.level.draw(window, DVec2::ZERO, false, out);
+        for (sheet, offset) in self.movers.iter().zip(offsets) {
+            sheet.draw(window, *offset, true, out);
         }
     }
 }
@@ -134,6 +169,8 @@ fn describe(mesh: &Mesh, edge: EdgeId) -> (DVec2, DVec2, Kind) {
     let end = |v| mesh.point(v).metres();
     let kind = if mesh.blocks(edge) || mesh.blocks(mesh.sym(edge)) {
         Kind::Blocking
+    } else if mesh.has_front(edge) || mesh.has_front(mesh.sym(edge)) {
+        Kind::Front
     } else if mesh.uses(edge).next().is_some() {
         Kind::Inner
     } else {
@@ -157,15 +194,16 @@ impl Drawing {
         show: Show,
         play: &Play,
         picture: &MeshPicture,
+        offsets: &[DVec2],
         view: &View,
         pose: &Pose,
     ) -> Drawing {
         let mut out = Drawing::default();
         if show.mesh {
-            picture.draw(window(pose), &mut out);
+            picture.draw(window(pose), offsets, &mut out);
         }
         if show.place {
-            out.place(&play.world);
+            out.place(&play.world, offsets);
         }
         if show.path {
             out.path(play, view);
@@ -186,24 +224,25 @@ impl Drawing {
         self
     }
 
-    /// The discrete place, which is the truth about where the hero is: his face, and the edge or vertex he is on.
-    fn place(&mut self, world: &World) {
-        let (mesh, hero) = (world.mesh(), world.hero());
-        let corners = mesh.corners(hero.face(mesh)).map(|p| at(p.metres()));
+    /// The discrete place, which is the truth about where the hero is: his face, and the edge or vertex he is on, in the
+    /// mesh of what carries him.
+    fn place(&mut self, world: &World, offsets: &[DVec2]) {
+        let (mesh, hero) = (world.mesh_under(), world.hero());
+        let carrier = hero.carrier().and_then(|i| offsets.get(i as usize));
+        let offset = carrier.copied().unwrap_or_default();
+        let corners = mesh.corners(hero.face(mesh));
         self.tris.push(Tri {
-            corners,
+            corners: corners.map(|p| at(p.metres() + offset)),
             colour: FACE,
         });
         match hero.edge() {
-            Some(edge) => self.edge(mesh, edge),
+            Some(edge) => {
+                let (a, b, _) = describe(mesh, edge);
+                self.line(a + offset, b + offset, PLACE, 5.0);
+            }
             None if world.view().stance == Stance::Wedge => self.cross(hero.position()),
             None => {}
         }
-    }
-
-    fn edge(&mut self, mesh: &Mesh, edge: EdgeId) {
-        let (a, b, _) = describe(mesh, edge);
-        self.line(a, b, PLACE, 5.0);
     }
 
     fn cross(&mut self, p: DVec2) {

@@ -3,7 +3,7 @@
 use crate::game::View;
 use glam::camera::rh::proj::opengl::{orthographic, perspective};
 use glam::camera::rh::view::look_to_mat4;
-use glam::{Mat4, Vec3, Vec4};
+use glam::{DVec2, Mat4, Vec3, Vec4};
 
 /// Point lights that the shaders sum up.
 pub const MAX_LIGHTS: usize = 16;
@@ -21,6 +21,8 @@ pub const SUN: Vec3 = Vec3::new(-0.56, 0.79, 0.25);
 pub struct Frame<'a> {
     /// The hero and the state of the game, already interpolated between ticks.
     pub view: &'a View,
+    /// How far each mover is from where it was drawn, in metres.
+    pub offsets: &'a [DVec2],
     /// From where it is seen.
     pub camera: CameraPose,
     /// Seconds for wind, water and dust; may stand still while the game is paused.

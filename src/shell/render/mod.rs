@@ -6,9 +6,11 @@
 
 mod air;
 mod backdrop;
+mod carried;
 mod debug;
 mod error;
 mod facets;
+mod fixtures;
 mod frame;
 mod gl;
 mod growth;
@@ -28,6 +30,7 @@ pub use gl::load;
 
 use crate::game::Stage;
 use air::Air;
+use carried::Carried;
 use debug::Debug;
 use frame::FrameBlock;
 use gl::{DepthTarget, Geometry, Gl, Program, Uniforms};
@@ -53,6 +56,8 @@ pub struct Renderer {
     shadow_map: DepthTarget,
     world: Geometry,
     chunks: Vec<Chunk>,
+    carried: Carried,
+    movers: Geometry,
     figure: Geometry,
     hero: Hero,
     water: Geometry,
@@ -118,6 +123,8 @@ impl Renderer {
             shadow_map: gl.depth_target(frame::SHADOW_TEXELS)?,
             world: gl.geometry(&VERTEX, false)?,
             chunks: Vec::new(),
+            carried: Carried::default(),
+            movers: gl.geometry(&VERTEX, false)?,
             figure,
             hero: Hero::default(),
             water: water::surface(&gl)?,
@@ -139,6 +146,7 @@ impl Renderer {
         self.water.upload(&scene.water_words);
         self.water_height = scene.water;
         self.chunks = scene.chunks;
+        self.carried = Carried::of(stage);
         self.lamps = scene.lamps;
         self.gate = scene.gate;
     }
@@ -203,6 +211,8 @@ impl Renderer {
         self.frame_uniforms.upload(&self.words);
         hero::write_parts(&pose, foot, &mut self.words);
         self.part_uniforms.upload(&self.words);
+        self.carried.write(frame.offsets, &mut self.words);
+        self.movers.upload(&self.words);
         self.air.upload(&self.lit, &mut self.words);
         self.debug.upload(frame.lines, frame.tris, &mut self.words);
         block
@@ -229,6 +239,8 @@ impl Renderer {
         self.gl.state(Depth::Write, Blend::Off, Cull::Off);
         self.gl
             .triangles(&self.programs.shadow, &self.figure, 0..usize::MAX);
+        self.gl
+            .triangles(&self.programs.shadow, &self.movers, 0..usize::MAX);
         for chunk in self
             .chunks
             .iter()
@@ -245,6 +257,8 @@ impl Renderer {
         self.gl.state(Depth::Write, Blend::Off, Cull::Back);
         self.gl
             .triangles(&self.programs.world, &self.figure, 0..usize::MAX);
+        self.gl
+            .triangles(&self.programs.world, &self.movers, 0..usize::MAX);
         for chunk in self
             .chunks
             .iter()

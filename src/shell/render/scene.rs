@@ -2,7 +2,7 @@
 
 use super::frame::PointLight;
 use super::model::{Model, VERTEX_WORDS};
-use super::{backdrop, scenery, terrain, water};
+use super::{backdrop, fixtures, scenery, terrain, water};
 use crate::game::Stage;
 use crate::geom::Collider;
 use glam::{Vec2, Vec3};
@@ -45,6 +45,9 @@ pub struct Scene {
 impl Scene {
     /// Builds the scene of a stage.
     pub fn of(stage: &Stage) -> Scene {
+        let outlines = stage
+            .meshes(&Collider::point())
+            .expect("the stage was built with the mesh of its outlines");
         let corners = stage
             .features()
             .flat_map(|(_, feature)| &feature.outline)
@@ -54,7 +57,11 @@ impl Scene {
             (min.min(p), max.max(p))
         });
         let water = stage.level.bottom as f32 + WATER;
-        let (things, lamps) = scenery::build(&stage.level);
+        let (things, mut lamps) = scenery::build(&stage.level);
+        let moves = |id| outlines.movers.iter().any(|m| m.kind_of(id).is_some());
+        let still = stage.features().filter(|&(id, _)| !moves(id));
+        let (fixtures, more) = fixtures::build(still.map(|(_, feature)| feature));
+        lamps.extend(more);
         let water_words = water::corners(min, max, water);
         let mut scene = Scene {
             gate: Some(scenery::gate_light(&stage.level, 0.9)),
@@ -63,12 +70,10 @@ impl Scene {
             water_words,
             ..Scene::default()
         };
-        let outlines = stage
-            .meshes(&Collider::point())
-            .expect("the stage was built with the mesh of its outlines");
         let solids = terrain::solids(&outlines.level, stage);
         scene.add(&terrain::build(&solids), NEAR_CHUNK);
         scene.add(&things, NEAR_CHUNK);
+        scene.add(&fixtures, NEAR_CHUNK);
         scene.add(&backdrop::build(min, max, water), FAR_CHUNK);
         scene
     }

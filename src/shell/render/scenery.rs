@@ -60,6 +60,15 @@ pub fn gate_light(level: &Level, strength: f32) -> PointLight {
     }
 }
 
+/// What stands where the hero comes back: a lantern, and behind it a banner.
+pub fn checkpoint() -> Model {
+    let (mut model, mut cloth) = (Model::default(), Model::default());
+    lantern(&mut model);
+    banner(&mut cloth);
+    model.add(&cloth, Mat4::from_translation(vec3(-0.5, 0.0, -0.4)));
+    model
+}
+
 /// How a thing is turned about its own axis: so that no two look alike, and nothing flat is seen edge-on.
 fn turn(thing: &Scenery, foot: Vec3) -> Mat4 {
     let free = (hash(foot, 20) - 0.5) * 2.0;
@@ -271,7 +280,7 @@ fn banner(model: &mut Model) {
 }
 
 /// The end of the way: two leaning stones and between them the lodestone, hanging free in its own light.
-fn gate() -> Model {
+pub fn gate() -> Model {
     let mut model = Model::default();
     for side in [-1.0f32, 1.0] {
         let foot = Vec3::new(1.75 * side, -0.4, 0.0);
