@@ -58,7 +58,8 @@ impl Body {
             && (joint.speed <= steady || joint.speed * joint.speed <= -2.0 * back * width)
     }
 
-    /// The same at the end of the ground: a belt carries him over it, and the stick would bring him back through the air, at once.
+    /// The same at the end of the ground: a belt carries him over it, and the stick would bring him back at once, through the
+    /// air or, up being held, by climbing again what he has just climbed.
     pub(super) fn is_held_at_end(&self, joint: &Joint, terrain: &Terrain) -> bool {
         let (t, forward) = (terrain.tuning, joint.forward());
         let ground = Footing::under(joint.segment, &joint.track, self.ground(terrain), terrain);
@@ -66,7 +67,9 @@ impl Body {
         let push = forward * ground.law(0.0, &self.control, crouched, t).accel;
         let back = forward * law::steer(forward * joint.speed, &self.control, t).accel;
         let width = f64::from(JOINT_STEPS) * STEP;
-        let wishes_back = self.control.run * forward < 0.0;
-        wishes_back && push > 0.0 && joint.speed * joint.speed <= -2.0 * back * width
+        let flies_back =
+            self.control.run * forward < 0.0 && joint.speed * joint.speed <= -2.0 * back * width;
+        let climbs_back = self.control.up && self.control.run == 0.0 && joint.speed == 0.0;
+        push > 0.0 && (flies_back || climbs_back)
     }
 }

@@ -216,7 +216,7 @@ impl Body {
             _ if joint.is_end(onward.as_ref()) && self.is_held_at_end(&joint, terrain) => {
                 self.stop(&joint, onward.as_ref(), trace, mesh);
             }
-            Some(on) if !on.towards => self.leave_or_snap(joint, Some(on.edge), terrain, trace),
+            Some(on) if !on.towards => self.leave_or_snap(joint, Some(&on), terrain, trace),
             None if joint.next.is_none() => self.leave_or_snap(joint, None, terrain, trace),
             Some(on) if keeps(&joint, &on, false, mesh, terrain) && climbs(joint.speed, t) => {
                 self.bend(&on, joint.speed, terrain, trace);

@@ -9,7 +9,7 @@
 //! the tunable `joint` says so, and a jump is nobody's accident.
 
 use super::body::{Body, EventKind, Trace};
-use super::joint::Joint;
+use super::joint::{Joint, Onward};
 use super::terrain::{Ground, Terrain};
 use super::track::{Track, walkable};
 use super::vertex::{Bearing, Sector, sector, segment_at};
@@ -27,18 +27,19 @@ pub(super) fn in_steps(distance: f64) -> i32 {
 }
 
 impl Body {
-    /// At the end of the ground: set down on what is near below, else off into the air. `onward` is the edge that would
-    /// continue the surface, if there is one.
+    /// At the end of the ground: set down on what is near below, else off into the air. `onward` is what continues the surface,
+    /// if anything does.
     pub(super) fn leave_or_snap(
         &mut self,
         joint: Joint,
-        onward: Option<EdgeId>,
+        onward: Option<&Onward>,
         terrain: &Terrain,
         trace: &mut Trace,
     ) {
         let t = terrain.tuning;
         let mesh = self.ground(terrain);
-        let spoke = joint.spoke(onward, mesh);
+        let next = onward.map(|on| on.edge);
+        let spoke = joint.spoke(next, mesh);
         let vertex = mesh.point(mesh.origin(spoke));
         let lowest = Point::new(vertex.x, vertex.y - in_steps(t.floor_snap));
         let plumb = Plumb {
@@ -50,10 +51,23 @@ impl Body {
             true => plumb.ground(spoke, t.max_slope),
             false => None,
         };
-        match found {
-            Some((edge, segment)) => self.set_down(&joint, vertex, edge, segment, terrain, trace),
-            None => self.leave(joint, onward, terrain, trace),
+        match (found, onward) {
+            (Some((edge, segment)), _) => {
+                self.set_down(&joint, vertex, edge, segment, terrain, trace);
+            }
+            (None, Some(on)) if joint.speed == 0.0 && on.track.normal.y > 0.0 => {
+                self.tip_over(on, terrain, trace);
+            }
+            _ => self.leave(joint, next, terrain, trace),
         }
+    }
+
+    /// From rest over the end of the ground, down the steep face behind it: in the air he would fall on the vertex itself, be
+    /// on the ground again, and be driven over its end again, all at one time.
+    fn tip_over(&mut self, on: &Onward, terrain: &Terrain, trace: &mut Trace) {
+        self.coyote_from = Some(self.time);
+        self.log(EventKind::Left, trace);
+        self.settle(on.segment, on.edge, on.start, 0.0, 0.0, terrain, trace);
     }
 
     /// On ground below a vertex, with the speed along it that he had along the old one.
