@@ -264,22 +264,8 @@ impl Body {
         } else {
             self.log(EventKind::Hit(into), trace);
         }
-        let track = mesh.track(segment);
-        let (accel, limit, since, against) = (0.0, None, 0.0, 0.0);
-        self.mode = Mode::Surface(Surface {
-            t0: self.time,
-            s0,
-            u0,
-            accel,
-            limit,
-            segment,
-            track,
-            edge,
-            since,
-            walkable,
-            against,
-            grip: Grip::None,
-        });
+        let place = (segment, mesh.track(segment), edge);
+        self.mode = Mode::Surface(Surface::new(self.time, place, s0, u0, walkable));
     }
 
     /// Off a steep surface as soon as something pulls the body from it.
@@ -306,7 +292,11 @@ impl Body {
         if self.climbing {
             return self.climbs_off(track);
         }
-        let v = track.tangent * speed;
+        let carried = self
+            .frame
+            .map_or(DVec2::ZERO, |ride| ride.piece.velocity(self.time));
+        let v = track.tangent * speed + carried;
+        let follows = self.frame_accel();
         let (x, y) = (
             law::steer(v.x, &self.control, terrain.tuning),
             law::fall(v.y, &self.control, terrain.tuning),
@@ -316,7 +306,7 @@ impl Body {
         } else {
             0.0
         };
-        let away = |x: f64| track.normal.dot(DVec2::new(x, y.accel)) > 0.0;
+        let away = |x: f64| track.normal.dot(DVec2::new(x, y.accel) - follows) > 0.0;
         away(push) && away(x.accel)
     }
 

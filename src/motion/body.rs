@@ -1,5 +1,6 @@
 //! The state of one body, and what can be read from it.
 
+use super::beside::Beside;
 pub use super::event::{Event, EventKind, Trace};
 use super::grip::Grip;
 use super::ladder::Reach;
@@ -140,6 +141,10 @@ pub(super) enum Next {
     Unlock,
     /// The height is reached at which the body hangs from a ledge: this parameter.
     Grab(f64),
+    /// The frame begins the next piece of its path.
+    Node,
+    /// What is next in another frame, an entry of the body's list of them.
+    Beside(u32),
 }
 
 impl Next {
@@ -161,6 +166,12 @@ pub struct Body {
     /// What carries the body; `None`: the level. In the air, between events, always the level.
     #[serde(default)]
     pub(super) frame: Option<Ride>,
+    /// Its places in all other frames.
+    #[serde(default)]
+    pub(super) beside: Vec<Beside>,
+    /// When what carries the body slowed down at once, and the velocity that it had.
+    #[serde(default)]
+    pub(super) lift: Option<(f64, DVec2)>,
     pub(super) size: Size,
     pub(super) control: Control,
     /// Simulated time, s.
@@ -207,6 +218,22 @@ impl std::fmt::Display for SpawnError {
 impl std::error::Error for SpawnError {}
 
 impl Air {
+    /// At rest somewhere.
+    pub(super) fn resting(p0: DVec2, face: FaceId) -> Air {
+        Air {
+            t0: 0.0,
+            p0,
+            v0: DVec2::ZERO,
+            accel: DVec2::ZERO,
+            limits: [None; 2],
+            face,
+            since: 0.0,
+            touching: [None; 2],
+            lock: None,
+            through: None,
+        }
+    }
+
     pub(super) fn position(&self, t: f64) -> DVec2 {
         let dt = t - self.t0;
         self.p0 + self.v0 * dt + self.accel * (0.5 * dt * dt)
@@ -218,6 +245,31 @@ impl Air {
 }
 
 impl Surface {
+    /// On a feature edge from a time on, at a parameter and a speed; its law is yet to be chosen.
+    pub(super) fn new(
+        t0: f64,
+        place: (SegmentId, Track, EdgeId),
+        s0: f64,
+        u0: f64,
+        walkable: bool,
+    ) -> Surface {
+        let (segment, track, edge) = place;
+        Surface {
+            t0,
+            s0,
+            u0,
+            accel: 0.0,
+            limit: None,
+            segment,
+            track,
+            edge,
+            since: 0.0,
+            walkable,
+            against: 0.0,
+            grip: Grip::None,
+        }
+    }
+
     pub(super) fn parameter(&self, t: f64) -> f64 {
         let dt = t - self.t0;
         self.s0 + self.track.rate() * (self.u0 * dt + 0.5 * self.accel * dt * dt)
@@ -391,6 +443,9 @@ impl Body {
             self.grip() as u8,
         ];
         hash.update(&flags);
+        if let Some(ride) = self.frame {
+            hash.update(&ride.mover.to_le_bytes());
+        }
         let timer = |t: Option<f64>| t.unwrap_or(-1.0);
         let numbers = [
             place[0],

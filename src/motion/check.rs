@@ -1,5 +1,6 @@
 //! The invariants of a body that can be read off its state; tests and the fuzzer assert them after every step.
 
+use super::beside::Beside;
 use super::body::{Body, Mode, Size, Trace};
 use super::grip::Grip;
 use super::terrain::{Ground, Region, Terrain};
@@ -33,7 +34,10 @@ pub fn check(body: &Body, terrain: &Terrain, trace: &Trace) -> Result<(), String
         Mode::Wedge(_) | Mode::Crushed(_) => {}
     }
     in_regions(body, terrain)?;
-    let bound = 64 + trace.crossed + trace.passed;
+    body.beside
+        .iter()
+        .try_for_each(|b| beside(body, b, terrain))?;
+    let bound = 64 + trace.crossed + trace.passed + 2 * trace.touched;
     if trace.events.len() as u64 > bound {
         return Err(format!(
             "I5: {} events where {bound} are allowed",
@@ -86,6 +90,29 @@ fn in_regions(body: &Body, terrain: &Terrain) -> Result<(), String> {
     }
     if body.climbing() && !told.iter().any(|f| region(f) == Region::Ladder) {
         return Err("I1: climbs outside of ladders".into());
+    }
+    Ok(())
+}
+
+/// In every other frame the place is free too, and the position in it but for rounding and the lips that are passed over.
+fn beside(body: &Body, entry: &Beside, terrain: &Terrain) -> Result<(), String> {
+    let mesh = entry.ground(body.size(), terrain);
+    let (p, _) = body.seen_from(entry);
+    let face = entry.flight.face;
+    if mesh.is_solid(face) {
+        return Err(format!("I1: in a solid face of {:?} at {p}", entry.mover()));
+    }
+    let slack = body.rounding() + f64::from(2 * JOINT_STEPS) * STEP;
+    for e in mesh.sides(face) {
+        let ends = [mesh.origin(e), mesh.dest(e)].map(|v| mesh.point(v).metres());
+        let along = ends[1] - ends[0];
+        let outside = -along.perp_dot(p - ends[0]) / along.length();
+        if outside > slack {
+            let mover = entry.mover();
+            return Err(format!(
+                "I1: {outside:e} m outside its face of {mover:?} at {p}"
+            ));
+        }
     }
     Ok(())
 }

@@ -6,7 +6,7 @@ use super::ledge::top_above;
 use super::terrain::{Ground, Terrain};
 use super::track::Track;
 use super::vertex::{
-    Bearing, Heading, Sector, ahead, sector, segment_at, surface_next, turns_towards,
+    Bearing, Heading, Sector, ahead, behind, sector, segment_at, surface_next, turns_towards,
 };
 use super::wall::is_wall;
 use crate::mesh::{EdgeId, SegmentId};
@@ -31,7 +31,7 @@ fn rim(mesh: Ground, e: EdgeId, track: &Track, sign: f64, s: f64, limit: f64) ->
     } else {
         Heading::Against
     };
-    let same_line = |s: SegmentId| Track::of(mesh.segment(s)).same_line(track);
+    let same_line = |s: SegmentId| mesh.track(s).same_line(track);
     let rate = track.rate().abs();
     let mut e = e;
     loop {
@@ -44,7 +44,7 @@ fn rim(mesh: Ground, e: EdgeId, track: &Track, sign: f64, s: f64, limit: f64) ->
         if same_line(segment) {
             continue;
         }
-        let wall = Track::of(mesh.segment(segment));
+        let wall = mesh.track(segment);
         let along = (heading == Heading::Along) == wall.leftward_free;
         let after = wall.heading(if along { 1.0 } else { -1.0 });
         let opens = is_wall(mesh.segment(segment), mesh.max_slope)
@@ -74,7 +74,7 @@ impl Body {
     ) -> bool {
         let (mesh, limit) = (self.ground(terrain), terrain.tuning.corner_correction);
         let (at, v) = (self.local_position(), self.local_velocity());
-        let track = Track::of(mesh.segment(segment));
+        let track = mesh.track(segment);
         let is_ceiling = track.normal.y < 0.0 && !is_wall(mesh.segment(segment), mesh.max_slope);
         if limit == 0.0 || v.y <= 0.0 || track.normal.dot(v) >= 0.0 || !is_ceiling {
             return false;
@@ -99,6 +99,10 @@ impl Body {
         let Some(rim) = nearest.filter(|rim| !touch(rim)) else {
             return false;
         };
+        let corner = mesh.point(behind(mesh, rim.wall, rim.heading)).metres();
+        if !self.is_clear_to(corner, terrain) {
+            return false;
+        }
         self.log(EventKind::Corrected(rim.distance), trace);
         self.go_round(&rim, &track, v, terrain, trace);
         true
@@ -154,7 +158,7 @@ impl Body {
     ) -> bool {
         let (mesh, limit) = (self.ground(terrain), terrain.tuning.ledge_correction);
         let (at, v) = (self.local_position(), self.local_velocity());
-        let track = Track::of(mesh.segment(segment));
+        let track = mesh.track(segment);
         let comes = v.y <= 0.0 && v.x * track.normal.x < 0.0 && track.normal.dot(v) < 0.0;
         if limit == 0.0 || !comes || !is_wall(mesh.segment(segment), mesh.max_slope) {
             return false;
@@ -170,6 +174,9 @@ impl Body {
         let feature_edge = mesh.segment(top.segment);
         let ground = Track::of(feature_edge);
         let s = ground.parameter_at_joint(feature_edge, &top.wall, top.vertex);
+        if !self.is_clear_to(ground.position(s), terrain) {
+            return false;
+        }
         self.log(EventKind::Corrected(height), trace);
         self.settle(top.segment, top.edge, s, v.x, -v.y, terrain, trace);
         true

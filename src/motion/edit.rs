@@ -20,10 +20,10 @@ use std::collections::{BTreeSet, BinaryHeap};
 /// What a body holds on to, in terms that outlive an edit; see [`Body::anchor`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Anchor {
-    /// The face of its place, and what there was to see from it.
-    face: Option<FaceId>,
+    /// The face of its place in the level, whatever carries it, and what there was to see from it.
+    face: FaceId,
     seen: Seen,
-    /// The feature edge that it is on.
+    /// The feature edge of the level that it is on, or that presses on a rider.
     segment: Option<Segment>,
     /// Those that it has just left or touched in flight.
     touching: [Option<Segment>; 2],
@@ -42,22 +42,23 @@ impl Body {
     /// What the body holds on to, before an edit of the level. To be taken with the meshes as they are before it.
     pub fn anchor(&self, terrain: &Terrain) -> Anchor {
         let ground = terrain.ground(self.size).climbed(self.climbing);
-        let face = self.carrier().is_none().then(|| self.face(&ground));
+        let face = self.level_face(&ground);
         let named = |s: SegmentId| *ground.segment(s);
-        let touching = match &self.mode {
-            Mode::Air(air) => air.touching.map(|s| s.map(named)),
-            _ => [None; 2],
-        };
-        let segment = match &self.mode {
-            Mode::Surface(on) if self.frame.is_none() => Some(named(on.segment)),
-            _ => None,
-        };
-        let seen = face.map_or_else(Seen::default, |face| self.seen(ground, face));
+        let (segment, touching) = self.in_contact();
         Anchor {
             face,
-            seen,
-            segment,
-            touching,
+            seen: self.seen(ground, face),
+            segment: segment.map(named),
+            touching: touching.map(|s| s.map(named)),
+        }
+    }
+
+    /// The feature edge of the level that the body is on, or that presses on a rider; and those that it has just left or touched.
+    fn in_contact(&self) -> (Option<SegmentId>, [Option<SegmentId>; 2]) {
+        match (self.level_entry(), &self.mode) {
+            (Some(level), _) => (level.contact.map(|c| c.segment), level.flight.touching),
+            (None, Mode::Air(air)) => (None, air.touching),
+            (None, _) => (self.segment(), [None; 2]),
         }
     }
 
@@ -68,7 +69,7 @@ impl Body {
             return self.come_to_place(terrain, trace);
         }
         match &self.mode {
-            _ if self.frame.is_some() => {}
+            _ if self.frame.is_some() => self.ride_again(anchor, terrain, trace),
             Mode::Surface(_) => self.stand_again(anchor, terrain, trace),
             Mode::Air(_) => self.fly_on(anchor, terrain, trace),
             Mode::Wedge(_) => self.come_loose(EventKind::Parted, terrain, trace),
@@ -79,21 +80,39 @@ impl Body {
     /// Whether nothing that decides about the body's next event has changed.
     fn is_untouched(&self, anchor: &Anchor, ground: Ground) -> bool {
         let same = |s: SegmentId, old: &Segment| again(ground, old) == Some(s);
-        let on_same = match (&self.mode, &anchor.segment) {
-            (Mode::Surface(on), Some(old)) => same(on.segment, old),
-            (Mode::Air(air), _) => air
-                .touching
-                .iter()
-                .zip(&anchor.touching)
-                .all(|(now, old)| now.zip(*old).is_none_or(|(s, old)| same(s, &old))),
-            _ => true,
-        };
-        on_same
-            && anchor.face.is_none_or(|face| {
-                ground.is_face(face)
-                    && !ground.is_solid(face)
-                    && self.seen(ground, face) == anchor.seen
-            })
+        let (segment, touching) = self.in_contact();
+        let known = touching.iter().zip(&anchor.touching);
+        let mut known = known.chain([(&segment, &anchor.segment)]);
+        known.all(|(now, old)| now.zip(*old).is_none_or(|(s, old)| same(s, &old)))
+            && ground.is_face(anchor.face)
+            && !ground.is_solid(anchor.face)
+            && self.seen(ground, anchor.face) == anchor.seen
+    }
+
+    /// On a moving solid: the same ride, at a place in the new mesh of the level, if there is one.
+    fn ride_again(&mut self, anchor: &Anchor, terrain: &Terrain, trace: &mut Trace) {
+        let ground = terrain.ground(self.size);
+        let (p, v) = (self.position(), self.velocity());
+        let again = |old: Option<Segment>| old.and_then(|old| again(ground, &old));
+        let (pressing, touching) = (again(anchor.segment), anchor.touching.map(again));
+        match free_face(ground, p, v, DVec2::NEG_Y) {
+            Ok(face) if !is_in_solid(ground, p) => {
+                self.rebase();
+                self.take_level_place(face, pressing, touching, ground);
+                self.refresh(terrain, trace);
+            }
+            _ => {
+                let face = self.face(&self.ground(terrain));
+                self.fly(
+                    self.local_position(),
+                    self.local_velocity(),
+                    face,
+                    [None; 2],
+                );
+                self.go_home(terrain);
+                self.move_out(p, v, terrain, trace);
+            }
+        }
     }
 
     fn seen(&self, ground: Ground, face: FaceId) -> Seen {
@@ -133,7 +152,12 @@ impl Body {
         let s = on.parameter(self.time);
         let same = anchor.segment.and_then(|old| again(ground, &old));
         let found = same
-            .and_then(|segment| Some((super::size::piece_at(ground, segment, s, on)?, segment)))
+            .and_then(|segment| {
+                Some((
+                    super::size::piece_at(ground, segment, s, &on.track)?,
+                    segment,
+                ))
+            })
             .or_else(|| on_line(ground, on, s));
         let Some((edge, segment)) = found else {
             let kind = if self.supported() {

@@ -81,12 +81,14 @@ pub struct Trace {
     pub crossed: u64,
     /// Vertices reached on surfaces.
     pub passed: u64,
+    /// Edges met and nodes passed in the frames of moving solids.
+    pub touched: u64,
 }
 
 impl Trace {
     /// Forgets everything; keeps the memory.
     pub fn clear(&mut self) {
         self.events.clear();
-        (self.crossed, self.passed) = (0, 0);
+        (self.crossed, self.passed, self.touched) = (0, 0, 0);
     }
 }

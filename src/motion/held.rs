@@ -53,7 +53,8 @@ impl Body {
         let (push, back) = (drive(&old), drive(&new));
         let steady = forward * old.steady(&self.control, crouched, t);
         let width = f64::from(JOINT_STEPS) * STEP;
-        push > 0.0
+        !self.is_pressed()
+            && push > 0.0
             && back < 0.0
             && (joint.speed <= steady || joint.speed * joint.speed <= -2.0 * back * width)
     }
@@ -70,6 +71,6 @@ impl Body {
         let flies_back =
             self.control.run * forward < 0.0 && joint.speed * joint.speed <= -2.0 * back * width;
         let climbs_back = self.control.up && self.control.run == 0.0 && joint.speed == 0.0;
-        push > 0.0 && (flies_back || climbs_back)
+        !self.is_pressed() && push > 0.0 && (flies_back || climbs_back)
     }
 }

@@ -10,7 +10,7 @@ use super::vertex::{
     surface_next, turns_towards,
 };
 use crate::geom::STEP;
-use crate::mesh::{EdgeId, SegmentId};
+use crate::mesh::{EdgeId, Segment, SegmentId};
 use crate::tune::Motion;
 use glam::DVec2;
 
@@ -124,21 +124,26 @@ impl Joint {
     ///
     /// By curvature: iff s^2 k <= g cos(slope) + stick, with the slope of the bisector and k = 2 tan(turn / 2) over the
     /// mean length of the two feature edges, each counted up to the curve span; independent of how finely a curve is drawn.
-    fn holds(&self, on: &Onward, mesh: Ground, t: &Motion) -> bool {
+    pub(super) fn holds(
+        &self,
+        after: (i64, i64),
+        next: &Segment,
+        mesh: Ground,
+        t: &Motion,
+    ) -> bool {
         if t.joint == 0.0 {
             return true;
         }
         if t.joint == 2.0 {
             return self.speed == 0.0;
         }
-        let (before, after) = (unit(self.before), unit(on.after));
+        let (before, after) = (unit(self.before), unit(after));
         let tan_half = before.perp_dot(after).abs() / (1.0 + before.dot(after));
-        let span = |s: SegmentId| {
-            let segment = mesh.segment(s);
+        let span = |segment: &Segment| {
             let length = (segment.b.metres() - segment.a.metres()).length();
             length.min(t.joint_span)
         };
-        let curvature = 2.0 * tan_half / (0.5 * (span(self.segment) + span(on.segment)));
+        let curvature = 2.0 * tan_half / (0.5 * (span(mesh.segment(self.segment)) + span(next)));
         let bisector = before + after;
         let cos_slope = bisector.x.abs() / bisector.length();
         self.speed * self.speed * curvature <= t.gravity * cos_slope + t.joint_stick
@@ -221,6 +226,7 @@ impl Body {
             Some(on) if keeps(&joint, &on, false, mesh, terrain) && climbs(joint.speed, t) => {
                 self.bend(&on, joint.speed, terrain, trace);
             }
+            on if self.is_pressed() => self.squeeze(joint, on, terrain, trace),
             Some(_) if self.step_up(&joint, terrain, trace) => {}
             Some(on) if climbs(joint.speed * on.cosine, t) => {
                 let up = joint.speed * on.cosine;
@@ -273,7 +279,7 @@ impl Body {
             self.stop(&joint, Some(&on), trace, mesh);
             return false;
         }
-        if !on.towards && !straight && !joint.holds(&on, mesh, t) {
+        if !on.towards && !straight && !joint.holds(on.after, mesh.segment(on.segment), mesh, t) {
             self.leave(joint, Some(on.edge), terrain, trace);
             return false;
         }
@@ -301,20 +307,9 @@ impl Body {
         terrain: &Terrain,
     ) {
         let feature_edge = self.ground(terrain).mesh.segment(segment);
-        self.mode = Mode::Surface(Surface {
-            t0: self.time,
-            s0,
-            u0,
-            accel: 0.0,
-            limit: None,
-            segment,
-            track: Track::of(feature_edge),
-            edge,
-            since: 0.0,
-            walkable: walkable(feature_edge, terrain.tuning.max_slope),
-            against: 0.0,
-            grip: Grip::None,
-        });
+        let place = (segment, Track::of(feature_edge), edge);
+        let walks = walkable(feature_edge, terrain.tuning.max_slope);
+        self.mode = Mode::Surface(Surface::new(self.time, place, s0, u0, walks));
     }
 
     /// At rest before a wall (none: the world's border), which from now on takes up every push.
@@ -383,6 +378,9 @@ impl Body {
             return self.ladder_joint(joint, onward, terrain, trace);
         }
         let mesh = self.ground(terrain);
+        if self.is_pressed() && onward.as_ref().is_none_or(|on| on.towards) {
+            return self.squeeze(joint, onward, terrain, trace);
+        }
         if self.climb_joint(&joint, onward.as_ref(), terrain, trace) {
             return;
         }

@@ -14,8 +14,10 @@
 //! What is absent: swimming, and solids that rotate. Bodies do not meet each other.
 
 mod air;
+mod beside;
 pub mod body;
 pub mod check;
+mod contact;
 mod corner;
 mod correct;
 mod edit;
@@ -29,7 +31,9 @@ pub mod law;
 pub mod ledge;
 pub mod mover;
 mod one_way;
+mod push;
 mod region;
+mod ride;
 pub mod roots;
 mod size;
 mod snap;

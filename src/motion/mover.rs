@@ -30,6 +30,28 @@ impl Piece {
     pub fn velocity(&self, t: f64) -> DVec2 {
         self.v0 + self.accel * (t - self.t0)
     }
+
+    /// The same motion relative to another, from when both have begun.
+    pub(super) fn seen_from(&self, other: &Piece) -> Piece {
+        let t0 = self.t0.max(other.t0);
+        Piece {
+            t0,
+            p0: self.offset(t0) - other.offset(t0),
+            v0: self.velocity(t0) - other.velocity(t0),
+            accel: self.accel - other.accel,
+        }
+    }
+
+    /// A motion relative to this one's frame, in the world.
+    pub(super) fn carried_by(&self, frame: &Piece) -> Piece {
+        let t0 = self.t0.max(frame.t0);
+        Piece {
+            t0,
+            p0: self.offset(t0) + frame.offset(t0),
+            v0: self.velocity(t0) + frame.velocity(t0),
+            accel: self.accel + frame.accel,
+        }
+    }
 }
 
 /// A translation through time: pieces one after the other, the first at the path's own time 0, repeated for ever or
@@ -138,6 +160,20 @@ pub struct Ride {
     pub mover: u32,
     /// The piece of its motion in force.
     pub piece: Piece,
+    /// When the next one begins, s.
+    pub until: Option<f64>,
+}
+
+impl Ride {
+    /// A moving solid at a time.
+    pub(super) fn at(mover: u32, t: f64, movers: &[Mover]) -> Ride {
+        let solid = &movers[mover as usize];
+        Ride {
+            mover,
+            piece: solid.piece_at(t),
+            until: solid.next_node(t),
+        }
+    }
 }
 
 #[cfg(test)]

@@ -6,18 +6,13 @@
 
 use super::body::{Body, EventKind, Trace};
 use super::terrain::{Region, Terrain};
-use crate::mesh::{FaceId, FeatureId, Mesh};
+use crate::mesh::FeatureId;
 
 impl Body {
     /// The regions that the body is in, ascending: those features whose traits make them one. Where it is put at the start
     /// it is without an event.
     pub fn regions(&self) -> &[FeatureId] {
         &self.regions
-    }
-
-    /// The face of the level's mesh, of the body's size, that the body is in or beside, whatever carries it.
-    pub fn level_face(&self, level: &Mesh) -> FaceId {
-        self.face(level)
     }
 
     /// Tells which regions the body has come out of and into. True if there are any.

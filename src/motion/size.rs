@@ -3,7 +3,7 @@
 use super::body::{Air, Body, EventKind, Mode, Next, Size, SpawnError, Surface, Trace};
 use super::roots::exit;
 use super::terrain::{Ground, Terrain};
-use super::track::delta;
+use super::track::{Track, delta};
 use super::vertex::{Bearing, JOINT_STEPS, Sector, sector, spokes};
 use crate::geom::STEP;
 use crate::mesh::{EdgeId, FaceId, Kind, Place, SegmentId, VertexId};
@@ -81,9 +81,9 @@ fn beside(mesh: Ground, solid: FaceId, p: DVec2) -> Option<FaceId> {
 
 /// The piece of a feature edge at a parameter that has a free face beside it, as the mesh edge with that face on its left.
 /// A body in a corner may stand up to a joint's width beyond the rounded vertex where the piece ends.
-pub(super) fn piece_at(mesh: Ground, segment: SegmentId, s: f64, on: &Surface) -> Option<EdgeId> {
+pub(super) fn piece_at(mesh: Ground, segment: SegmentId, s: f64, track: &Track) -> Option<EdgeId> {
     let beyond = |from: f64, to: f64| (from.min(to) - s).max(s - from.max(to)).max(0.0);
-    pieces(mesh, segment, on)
+    pieces(mesh, segment, track)
         .filter(|&(.., free)| free)
         .map(|(from, to, edge, _)| (beyond(from, to), edge))
         .filter(|&(beyond, _)| beyond <= f64::from(JOINT_STEPS) * STEP)
@@ -96,11 +96,11 @@ pub(super) fn piece_at(mesh: Ground, segment: SegmentId, s: f64, on: &Surface) -
 fn pieces<'a>(
     mesh: Ground<'a>,
     segment: SegmentId,
-    on: &'a Surface,
+    track: &'a Track,
 ) -> impl Iterator<Item = (f64, f64, EdgeId, bool)> + 'a {
     mesh.mesh.chain(segment).windows(2).filter_map(move |ends| {
         let e = mesh.edge_between(ends[1], ends[0])?;
-        let [from, to] = [ends[0], ends[1]].map(|v| on.track.parameter_of(mesh.point(v)));
+        let [from, to] = [ends[0], ends[1]].map(|v| track.parameter_of(mesh.point(v)));
         Some((from, to, e, mesh.blocks(e)))
     })
 }
@@ -109,7 +109,8 @@ impl Body {
     /// Crouches or stands up as the control asks, if it can.
     pub(super) fn resize_as_wished(&mut self, terrain: &Terrain, trace: &mut Trace) {
         let wish = self.wished_size();
-        if wish != self.size && self.fit(wish, terrain) {
+        if wish != self.size && self.fits_beside(wish, terrain) && self.fit(wish, terrain) {
+            self.take_places(wish, terrain);
             self.size = wish;
             self.log(EventKind::Resized(wish), trace);
         }
@@ -127,7 +128,9 @@ impl Body {
 
     /// Takes its place in the mesh of another size. False, and nothing changed, if there is no room.
     fn fit(&mut self, size: Size, terrain: &Terrain) -> bool {
-        let mesh = terrain.ground(size).climbed(self.climbing);
+        let mesh = terrain
+            .ground_under(self.carrier(), size)
+            .climbed(self.climbing);
         self.rebase();
         let (p, v, carrier) = (self.local_position(), self.local_velocity(), self.carrier());
         let on_border = self
@@ -141,7 +144,7 @@ impl Body {
                 .segment_of(old.feature, old.source)
                 .filter(|&s| (mesh.segment(s).a, mesh.segment(s).b) == (old.a, old.b));
             if let Some(segment) = same {
-                let edge = piece_at(mesh, segment, on.s0, on);
+                let edge = piece_at(mesh, segment, on.s0, &on.track);
                 if let Some(edge) = edge {
                     // What stopped the old size may not stop the new one.
                     (on.edge, on.segment, on.against) = (edge, segment, 0.0);
@@ -178,6 +181,7 @@ impl Body {
                 .map(|at| (at, None)),
             Mode::Wedge(_) | Mode::Crushed(_) => None,
         };
+        let clear = clear.or_else(|| self.clear_beside(until, terrain).map(|at| (at, None)));
         clear
             .filter(|&(at, _)| at < until)
             .map(|(at, parameter)| (at, Next::Clear(parameter)))
@@ -194,11 +198,13 @@ impl Body {
 
     /// When the first piece ahead is reached that is free for the standing body, and its parameter.
     fn clear_along(&self, on: &Surface, terrain: &Terrain) -> Option<(f64, Option<f64>)> {
-        let old = terrain.crouch.segment(on.segment);
-        let segment = terrain.stand.segment_of(old.feature, old.source)?;
+        let [low, high] =
+            [Size::Crouch, Size::Stand].map(|s| terrain.ground_under(self.carrier(), s));
+        let old = low.segment(on.segment);
+        let segment = high.segment_of(old.feature, old.source)?;
         let here = on.parameter(self.time);
         let sign = on.sign();
-        let ahead = pieces(terrain.ground(Size::Stand), segment, on)
+        let ahead = pieces(high, segment, &on.track)
             .filter(|p| p.3)
             .map(|(from, to, ..)| {
                 if sign > 0.0 {
@@ -215,7 +221,7 @@ impl Body {
 }
 
 /// When a parabola comes out of the solids of a mesh: a walk through its solid faces. Not after `until`.
-fn clear_in_flight(air: &Air, now: f64, until: f64, mesh: Ground) -> Option<f64> {
+pub(super) fn clear_in_flight(air: &Air, now: f64, until: f64, mesh: Ground) -> Option<f64> {
     let Place::Face(mut face) = mesh.locate(air.position(now), None)? else {
         return None;
     };

@@ -36,6 +36,9 @@ impl Body {
         terrain: &Terrain,
         trace: &mut Trace,
     ) {
+        if self.walk_aboard(&joint, terrain, trace) {
+            return;
+        }
         let t = terrain.tuning;
         let mesh = self.ground(terrain);
         let next = onward.map(|on| on.edge);
@@ -51,6 +54,11 @@ impl Body {
             true => plumb.ground(spoke, t.max_slope),
             false => None,
         };
+        let below = |s: SegmentId| {
+            let track = Track::of(mesh.segment(s));
+            track.position(track.parameter_at_x(vertex.x))
+        };
+        let found = found.filter(|&(_, s)| self.is_clear_to(below(s), terrain));
         match (found, onward) {
             (Some((edge, segment)), _) => {
                 self.set_down(&joint, vertex, edge, segment, terrain, trace);

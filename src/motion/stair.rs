@@ -34,6 +34,9 @@ impl Body {
         };
         let before = self.position().y;
         let on = joint.onto(mesh, edge, segment);
+        if !self.is_clear_to(on.track.position(on.start), terrain) {
+            return false;
+        }
         self.put_on(edge, segment, on.start, on.sign * joint.speed, terrain);
         let height = self.position().y - before;
         self.log(EventKind::SteppedUp(height), trace);

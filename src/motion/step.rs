@@ -25,6 +25,8 @@ impl Body {
         let mut body = Body {
             mode: Mode::Wedge(Wedge { at, face }),
             frame: None,
+            beside: Vec::new(),
+            lift: None,
             size: Size::Stand,
             control: Control::default(),
             time,
@@ -38,6 +40,7 @@ impl Body {
             next: None,
         };
         body.fly(at, DVec2::ZERO, face, [None; 2]);
+        body.find_places(terrain)?;
         body.refresh(terrain, &mut Trace::default());
         Ok(body)
     }
@@ -47,7 +50,12 @@ impl Body {
         self.rebase();
         match &mut self.mode {
             Mode::Air(air) => air.v0 = v,
-            Mode::Surface(on) => (on.u0, on.against) = (on.track.tangent.dot(v), 0.0),
+            Mode::Surface(on) => {
+                let v = self
+                    .frame
+                    .map_or(v, |ride| v - ride.piece.velocity(self.time));
+                (on.u0, on.against) = (on.track.tangent.dot(v), 0.0);
+            }
             Mode::Wedge(_) | Mode::Crushed(_) => {}
         }
         self.refresh(terrain, trace);
@@ -78,9 +86,10 @@ impl Body {
         self.refresh(terrain, trace);
     }
 
-    /// Takes up changed tuning, from now on. An event.
+    /// Takes up changed tuning, and what has changed about moving solids, from now on. An event.
     pub fn retune(&mut self, terrain: &Terrain, trace: &mut Trace) {
         self.rebase();
+        self.reread_paths(terrain, trace);
         self.refresh(terrain, trace);
     }
 
@@ -111,6 +120,8 @@ impl Body {
             Next::Clear(parameter) => self.come_clear(parameter),
             Next::Unlock => self.unlock(trace),
             Next::Grab(parameter) => self.grab(parameter, trace),
+            Next::Node => self.ride_on(terrain, trace),
+            Next::Beside(i) => return self.handle_beside(i as usize, terrain, trace),
         }
         self.refresh(terrain, trace);
     }
@@ -124,14 +135,25 @@ impl Body {
         self.jump_if_asked(terrain, trace);
         self.grip_as_wished(terrain, trace);
         self.part_if_pulled(terrain, trace);
+        if !self.beside.is_empty() {
+            self.come_off_if_dropped(terrain, trace);
+            self.go_home(terrain);
+        }
         // Once more for who is off the slope on which he was granted none: in the air the coyote time may count.
         self.jump_if_asked(terrain, trace);
+        if !self.beside.is_empty() {
+            self.go_home(terrain);
+            self.press_speed(terrain, trace);
+        }
         self.choose_law(terrain);
         if self.press_on(terrain, trace) {
             self.choose_law(terrain);
         }
         if let Mode::Surface(on) = &mut self.mode {
             on.stand_against_wall();
+        }
+        if !self.beside.is_empty() {
+            self.press_accel(terrain, trace);
         }
         self.come_to_place(terrain, trace);
     }
@@ -160,18 +182,11 @@ impl Body {
         face: FaceId,
         touching: [Option<SegmentId>; 2],
     ) {
-        let (accel, limits) = (DVec2::ZERO, [None; 2]);
         self.mode = Mode::Air(Air {
             t0: self.time,
-            p0,
             v0,
-            accel,
-            limits,
-            face,
-            since: 0.0,
             touching,
-            lock: None,
-            through: None,
+            ..Air::resting(p0, face)
         });
     }
 
@@ -187,7 +202,8 @@ impl Body {
         let grounded = match &self.mode {
             _ if self.climbing => true,
             Mode::Air(_) => self.within(self.coyote_from, t.coyote_time),
-            Mode::Surface(on) => on.walkable,
+            // Held between frames counts like a wedge: nothing may lock a player in.
+            Mode::Surface(on) => on.walkable || on.u0 == 0.0 && self.is_pressed(),
             Mode::Wedge(_) => true,
             Mode::Crushed(_) => false,
         };
@@ -208,6 +224,7 @@ impl Body {
         let (mut v, face) = (self.local_velocity(), self.face(&mesh));
         let p = self.local_position();
         v.y = v.y.max(0.0) + t.jump_speed;
+        v += self.remembered(terrain);
         let touching = [self.segment(), None];
         self.fly(p, v, face, touching);
         if std::mem::take(&mut self.climbing) {
@@ -249,6 +266,7 @@ impl Body {
         let turns = self.reach == Reach::AfterApex;
         let slows = self.is_slowed_by_wall(terrain);
         let (mesh, crouched) = (self.ground(terrain), self.size == Size::Crouch);
+        let carried = self.frame_accel();
         let limit = |from: f64, law: law::Law, speed: f64| {
             law.until
                 .zip(law.time_left(speed))
@@ -278,7 +296,7 @@ impl Body {
                 on.limit = limit(on.t0, law, on.u0 * x).map(|(at, until)| (at, until * x));
             }
             Mode::Surface(on) => match on.grip {
-                Grip::None => on.choose_slide(&control, slows, t),
+                Grip::None => on.choose_slide(&control, slows, carried, t),
                 _ => on.choose_climb(&control, t),
             },
             Mode::Wedge(_) | Mode::Crushed(_) => {}
@@ -312,9 +330,13 @@ impl Body {
         };
         let found = self.sooner_if_clear(found, terrain);
         let found = self.sooner_if_grabs(found, terrain);
-        self.next = self
+        let own = self
             .sooner_if_unlocked(found)
             .map(|(at, what)| (at.max(self.time), what));
+        self.next = match self.beside.is_empty() {
+            true => own,
+            false => self.first_of_all(own, terrain),
+        };
     }
 
     /// The last resort against a cycle of events: rest where the body is.

@@ -124,6 +124,11 @@ fn fan(mesh: Ground, spoke: EdgeId) -> Fan {
     Fan { faces, ends: None }
 }
 
+/// The two blocking edges that bound the free faces about a vertex, of which the left face of `spoke` is one: out of it and into it.
+pub fn fan_ends(mesh: Ground, spoke: EdgeId) -> Option<(EdgeId, EdgeId)> {
+    fan(mesh, spoke).ends
+}
+
 /// Where a direction leads from a vertex.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Sector {

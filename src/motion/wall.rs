@@ -133,8 +133,14 @@ impl Body {
 
 impl Surface {
     /// The acceleration of a slide along what is too steep, and the speed at which it changes. `slows`: against a wall that
-    /// brakes a fall down to the speed of a wall slide.
-    pub(super) fn choose_slide(&mut self, control: &Control, slows: bool, t: &Motion) {
+    /// brakes a fall down to the speed of a wall slide. `carried`: the acceleration of what carries the body.
+    pub(super) fn choose_slide(
+        &mut self,
+        control: &Control,
+        slows: bool,
+        carried: DVec2,
+        t: &Motion,
+    ) {
         let DVec2 { x: run, y: climb } = self.track.tangent;
         let fall = law::fall(self.u0 * climb, control, t);
         let slowest = -climb.signum() * t.wall_slide_speed;
@@ -147,7 +153,7 @@ impl Surface {
             self.limit = self.limit.map(|(until, left)| (self.t0 + left, until));
             return;
         }
-        self.accel = fall.accel * climb;
+        self.accel = fall.accel * climb - self.track.tangent.dot(carried);
         // The speeds at which the fall changes, the slide turns, the push of the stick ends, and the wall begins to brake.
         let marks = [
             fall.until.map(|until| until / climb),

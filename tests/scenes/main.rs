@@ -8,6 +8,8 @@ mod found;
 mod ground;
 mod ladders;
 mod ledges;
+mod movers;
+mod moving;
 mod one_ways;
 mod regions;
 mod rig;

@@ -3,7 +3,7 @@
 use edgewalker::geom::{Collider, ExpandedEdge, Point, Source, expand, expand_one_way};
 use edgewalker::mesh::{Kind, Mesh};
 use edgewalker::motion::{
-    Body, Control, EventKind, Mode, Region, Size, Terrain, Trace, Traits, check::check,
+    Body, Control, EventKind, Mode, Path, Region, Size, Terrain, Trace, Traits, check::check,
 };
 use edgewalker::tune::Motion;
 use glam::DVec2;
@@ -42,7 +42,7 @@ impl Variant {
         self.back(v(0.0, y)).y
     }
 
-    fn velocity(self, v: DVec2) -> DVec2 {
+    pub fn velocity(self, v: DVec2) -> DVec2 {
         if self == Variant::Mirrored {
             DVec2::new(-v.x, v.y)
         } else {
@@ -63,6 +63,8 @@ pub struct Scene {
     pub regions: Vec<(Region, Vec<DVec2>)>,
     /// Edges without an inside, for the point alone: they stop who comes from either side.
     pub lines: Vec<(DVec2, DVec2)>,
+    /// Moving solids, each a scene of its own, and where it goes from time 0 on.
+    pub movers: Vec<(Scene, Path)>,
     pub stand: Collider,
     pub crouch: Collider,
     pub tuning: Motion,
@@ -119,6 +121,7 @@ impl Scene {
             one_ways: Vec::new(),
             regions: Vec::new(),
             lines: Vec::new(),
+            movers: Vec::new(),
             stand: Collider::point(),
             crouch: Collider::point(),
             tuning: plain(),
@@ -266,8 +269,10 @@ impl Scene {
             self.mesh(variant, &self.crouch),
         );
         let traits = self.all_traits(variant);
+        let movers = self.build_movers(variant);
         let terrain = Terrain {
             traits: &traits,
+            movers: &movers,
             ..Terrain::new(&stand, &crouch, &self.tuning)
         };
         test(&mut Run {
@@ -379,6 +384,7 @@ impl Run<'_> {
         self.trace.events.extend(step.events);
         self.trace.crossed += step.crossed;
         self.trace.passed += step.passed;
+        self.trace.touched += step.touched;
         self
     }
 

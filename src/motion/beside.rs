@@ -1,0 +1,469 @@
+//! The places of a body in the frames that do not carry it: in the mesh of the level while it rides, and in the mesh of every
+//! moving solid that it is not on.
+//!
+//! Frames translate with piecewise constant acceleration, so in each of them the body is again a point on a quadratic among the
+//! faces of a mesh at rest, and the code that finds crossings and hits in the level finds them there. Which face it is in
+//! is kept as a discrete fact in every frame. Events there end no piece of the body's own motion, unless it is struck; and an
+//! event of its own renews only what follows from it, so that a tick without events costs nothing.
+
+use super::body::{Air, Body, Crushed, EventKind, Mode, Next, Size, SpawnError, Trace};
+use super::contact::Contact;
+use super::mover::{Piece, Ride};
+use super::roots::exit;
+use super::size::{clear_in_flight, free_face};
+use super::terrain::{Ground, Terrain};
+use super::vertex::JOINT_STEPS;
+use crate::geom::STEP;
+use crate::mesh::{EdgeId, FaceId, Mesh, SegmentId};
+use glam::DVec2;
+use serde::{Deserialize, Serialize};
+
+/// The place of a body in a frame that does not carry it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Beside {
+    /// The frame; `None`: the level.
+    pub(super) frame: Option<Ride>,
+    /// The motion of the body in it, and its face there.
+    pub(super) flight: Air,
+    /// What presses on the body from this frame, while it is on a surface of another.
+    pub(super) contact: Option<Contact>,
+    /// The motion of the body in the world from which the flight was worked out; `None` if that is to be done.
+    pub(super) of: Option<Piece>,
+    /// The next event in this frame.
+    pub(super) next: Option<(f64, Next)>,
+}
+
+impl Beside {
+    /// At rest in a face, until [`Beside::follow`] says otherwise.
+    fn new(frame: Option<Ride>, at: DVec2, face: FaceId) -> Beside {
+        Beside {
+            frame,
+            flight: Air::resting(at, face),
+            contact: None,
+            of: None,
+            next: None,
+        }
+    }
+
+    /// The moving solid; `None`: the level.
+    pub(super) fn mover(&self) -> Option<u32> {
+        self.frame.map(|ride| ride.mover)
+    }
+
+    /// The motion of the frame.
+    pub(super) fn piece(&self) -> Piece {
+        self.frame.map_or(Piece::default(), |ride| ride.piece)
+    }
+
+    /// The mesh of the frame, as the body meets it.
+    pub(super) fn ground<'a>(&self, size: Size, terrain: &Terrain<'a>) -> Ground<'a> {
+        terrain.ground_under(self.mover(), size)
+    }
+
+    /// Takes up a motion of the body, if it or that of the frame is new.
+    fn follow(&mut self, body: Piece, now: f64, size: Size, terrain: &Terrain) {
+        if self.of == Some(body) {
+            return;
+        }
+        let seen = body.seen_from(&self.piece());
+        let mesh = self.ground(size, terrain);
+        let (from, to) = (self.flight.position(now), seen.offset(now));
+        let air = &mut self.flight;
+        air.face = moved(mesh, air.face, from, to);
+        (air.t0, air.p0, air.v0, air.accel) = (seen.t0, seen.p0, seen.v0, seen.accel);
+        air.since = now - seen.t0;
+        let apart = |s| mesh.track(s).height(to, to, to).0.abs() > STEP;
+        air.through = air.through.filter(|&s| !apart(s));
+        self.of = Some(body);
+        self.plan(now, size, terrain);
+    }
+
+    /// The face, and what presses, in the mesh of a size; `None` if the place is not free there.
+    fn place(&self, now: f64, size: Size, terrain: &Terrain) -> Option<(FaceId, Option<Contact>)> {
+        let mesh = self.ground(size, terrain);
+        let (p, v) = (self.flight.position(now), self.flight.velocity(now));
+        let other = match size {
+            Size::Stand => Size::Crouch,
+            Size::Crouch => Size::Stand,
+        };
+        let again = |c: &Contact| c.again(p, self.ground(other, terrain), mesh);
+        if let Some(contact) = self.contact.as_ref().and_then(again) {
+            return Some((mesh.left(contact.edge)?, Some(contact)));
+        }
+        Some((free_face(mesh, p, v, DVec2::NEG_Y).ok()?, None))
+    }
+
+    /// Finds the next event in this frame. At the same time its own new piece comes first: a lift that stops under a ceiling
+    /// crushes nobody.
+    pub(super) fn plan(&mut self, now: f64, size: Size, terrain: &Terrain) {
+        let mesh = self.ground(size, terrain);
+        let found = match &self.contact {
+            Some(contact) => contact.next(&self.flight, mesh),
+            None => self.flight.next(mesh, terrain.tuning),
+        };
+        let found = found.filter(|&(_, what)| !self.is_border(what, mesh));
+        let node = self.frame.and_then(|ride| ride.until);
+        self.next = Next::node_before(node, found).map(|(at, what)| (at.max(now), what));
+    }
+
+    /// The border of a moving solid's own small world is nothing to meet.
+    fn is_border(&self, what: Next, mesh: Ground) -> bool {
+        matches!(what, Next::Hit(e, _) if self.frame.is_some() && mesh.left(mesh.sym(e)).is_none())
+    }
+}
+
+/// The face of a place after an event: another one only if the body was set down, stepped up or corrected.
+fn moved(mesh: Ground, face: FaceId, from: DVec2, to: DVec2) -> FaceId {
+    if (to - from).abs().max_element() <= f64::from(2 * JOINT_STEPS) * STEP {
+        return face;
+    }
+    cast(mesh, face, from, to)
+        .or_else(|| free_face(mesh, to, DVec2::NEG_Y, DVec2::NEG_Y).ok())
+        .unwrap_or(face)
+}
+
+/// The face at the end of a straight way through the free faces of a mesh; `None` if something is in the way.
+fn cast(mesh: Ground, from: FaceId, start: DVec2, end: DVec2) -> Option<FaceId> {
+    let mut way = Air {
+        v0: end - start,
+        ..Air::resting(start, from)
+    };
+    loop {
+        let leaves = mesh.sides(way.face).into_iter().filter_map(|e| {
+            let ends = [mesh.origin(e), mesh.dest(e)].map(|v| mesh.point(v));
+            let (c, b, q) = way.distance(ends[0], ends[1]);
+            exit(c, b, q, way.since).map(|at| (at, e))
+        });
+        let first = leaves.min_by(|a, b| a.0.total_cmp(&b.0));
+        let Some((at, edge)) = first.filter(|&(at, _)| at < 1.0) else {
+            return Some(way.face);
+        };
+        if mesh.blocks(edge) {
+            return None;
+        }
+        way.face = mesh.left(mesh.sym(edge))?;
+        way.since = at;
+    }
+}
+
+impl Next {
+    /// A node of a path, or an event that comes before it.
+    fn node_before(node: Option<f64>, event: Option<(f64, Next)>) -> Option<(f64, Next)> {
+        match (node, event) {
+            (Some(node), event) if event.is_none_or(|(at, _)| node <= at) => {
+                Some((node, Next::Node))
+            }
+            (_, event) => event,
+        }
+    }
+}
+
+impl Body {
+    /// The motion in the world that goes on until the next event of the body's own.
+    pub(super) fn motion(&self) -> Piece {
+        let local = match &self.mode {
+            Mode::Air(air) => Piece {
+                t0: air.t0,
+                p0: air.p0,
+                v0: air.v0,
+                accel: air.accel,
+            },
+            Mode::Surface(on) => Piece {
+                t0: on.t0,
+                p0: on.track.position(on.s0),
+                v0: on.track.tangent * on.u0,
+                accel: on.track.tangent * on.accel,
+            },
+            Mode::Wedge(_) | Mode::Crushed(_) => Piece {
+                p0: self.local_position(),
+                ..Piece::default()
+            },
+        };
+        self.frame
+            .map_or(local, |ride| local.carried_by(&ride.piece))
+    }
+
+    /// Finds the places of a new body in the frames of all moving solids.
+    ///
+    /// # Errors
+    /// If it would be inside one of them.
+    pub(super) fn find_places(&mut self, terrain: &Terrain) -> Result<(), SpawnError> {
+        let (p, v) = (self.position(), self.velocity());
+        self.beside.clear();
+        for mover in 0..terrain.movers.len() as u32 {
+            let ride = Ride::at(mover, self.time, terrain.movers);
+            let at = p - ride.piece.offset(self.time);
+            let v = v - ride.piece.velocity(self.time);
+            let mesh = terrain.ground_under(Some(mover), self.size);
+            let face = free_face(mesh, at, v, DVec2::NEG_Y)?;
+            self.beside.push(Beside::new(Some(ride), at, face));
+        }
+        Ok(())
+    }
+
+    /// The first of the body's own next event, a node of what carries it, and the events in all other frames.
+    pub(super) fn first_of_all(
+        &mut self,
+        own: Option<(f64, Next)>,
+        terrain: &Terrain,
+    ) -> Option<(f64, Next)> {
+        let (now, size) = (self.time, self.size);
+        let motion = self.motion();
+        let node = self.frame.and_then(|ride| ride.until);
+        let mut first = Next::node_before(node, own);
+        for (i, beside) in self.beside.iter_mut().enumerate() {
+            beside.follow(motion, now, size, terrain);
+            if let Some((at, _)) = beside.next
+                && first.is_none_or(|(earliest, _)| at < earliest)
+            {
+                first = Some((at, Next::Beside(i as u32)));
+            }
+        }
+        first.map(|(at, what)| (at.max(now), what))
+    }
+
+    /// An event in another frame.
+    pub(super) fn handle_beside(&mut self, i: usize, terrain: &Terrain, trace: &mut Trace) {
+        let (now, size) = (self.time, self.size);
+        let beside = &mut self.beside[i];
+        let mesh = beside.ground(size, terrain);
+        match beside.next.take() {
+            Some((_, Next::Cross(edge, since))) => {
+                let beyond = mesh.left(mesh.sym(edge));
+                beside.flight.face = beyond.expect("a free edge has a face on either side");
+                beside.flight.since = since;
+                trace.crossed += 1;
+                beside.plan(now, size, terrain);
+                return self.come_to_place(terrain, trace);
+            }
+            Some((_, Next::Hit(edge, since))) => {
+                trace.touched += 1;
+                beside.flight.since = since;
+                match &self.mode {
+                    Mode::Air(_) => self.hit_in_flight(i, edge, since, terrain, trace),
+                    Mode::Surface(_) => self.struck(i, edge, terrain, trace),
+                    Mode::Wedge(_) => self.struck_in_wedge(i, edge, terrain, trace),
+                    Mode::Crushed(_) => {}
+                }
+            }
+            Some((_, Next::Vertex)) => {
+                trace.touched += 1;
+                if self.slide_past(i, terrain, trace) {
+                    return self.come_to_place(terrain, trace);
+                }
+            }
+            Some((_, Next::Node)) => {
+                trace.touched += 1;
+                if self.take_up_node(i, terrain, trace) {
+                    return self.schedule(terrain);
+                }
+            }
+            _ => {}
+        }
+        self.refresh(terrain, trace);
+    }
+
+    /// Writes a flight in the frame of another entry, and that in the frame of this one.
+    pub(super) fn change_frame(&mut self, i: usize) {
+        let beside = &mut self.beside[i];
+        std::mem::swap(&mut self.frame, &mut beside.frame);
+        if let Mode::Air(air) = &mut self.mode {
+            std::mem::swap(air, &mut beside.flight);
+            // The direction that a wall jump holds goes with the body.
+            std::mem::swap(&mut air.lock, &mut beside.flight.lock);
+        }
+        (beside.contact, beside.of) = (None, None);
+    }
+
+    /// A body in the air is written in the frame of the level.
+    pub(super) fn go_home(&mut self, terrain: &Terrain) {
+        if self.frame.is_none() || !matches!(self.mode, Mode::Air(_)) {
+            return;
+        }
+        let (t, p, v) = (self.time, self.position(), self.velocity());
+        let home = self.beside.iter().position(|b| b.frame.is_none());
+        self.change_frame(home.expect("a rider has a place in the level"));
+        let level = self.ground(terrain);
+        if let Mode::Air(air) = &mut self.mode {
+            let face = moved(level, air.face, air.position(t), p);
+            *air = Air {
+                touching: air.touching,
+                lock: air.lock,
+                through: air.through,
+                ..Air::resting(p, face)
+            };
+            (air.t0, air.v0) = (t, v);
+        }
+    }
+
+    /// In flight at a blocking edge of another frame: what happens there happens as in the level. A touch changes nothing of the
+    /// flight.
+    fn hit_in_flight(
+        &mut self,
+        i: usize,
+        edge: EdgeId,
+        since: f64,
+        terrain: &Terrain,
+        trace: &mut Trace,
+    ) {
+        let of = self.beside[i].of;
+        self.change_frame(i);
+        let before = self.motion();
+        self.hit(edge, since, terrain, trace);
+        if matches!(self.mode, Mode::Air(_)) && self.motion() == before {
+            self.change_frame(i);
+            let beside = &mut self.beside[i];
+            beside.of = of;
+            beside.plan(self.time, self.size, terrain);
+        }
+    }
+
+    /// Another frame begins the next piece of its path. True if the body's own motion does not depend on it.
+    fn take_up_node(&mut self, i: usize, terrain: &Terrain, trace: &mut Trace) -> bool {
+        let (now, p, v) = (self.time, self.position(), self.velocity());
+        let beside = &mut self.beside[i];
+        let Some(old) = beside.frame else {
+            return true;
+        };
+        let new = Ride::at(old.mover, now, terrain.movers);
+        (beside.frame, beside.of) = (Some(new), None);
+        let leap = new.piece.offset(now) - old.piece.offset(now);
+        if beside.contact.is_some() {
+            self.rebase();
+        }
+        let beside = &mut self.beside[i];
+        if leap.abs().max_element() > f64::from(JOINT_STEPS) * STEP {
+            let mesh = beside.ground(self.size, terrain);
+            let at = p - new.piece.offset(now);
+            match free_face(mesh, at, v - new.piece.velocity(now), DVec2::NEG_Y) {
+                Ok(face) => *beside = Beside::new(Some(new), at, face),
+                Err(_) => self.crush(terrain, trace),
+            }
+            return false;
+        }
+        if beside.contact.is_some() && new.piece != old.piece {
+            self.log(EventKind::Node(old.mover), trace);
+        }
+        self.beside[i].contact.is_none()
+    }
+
+    /// Takes up the paths as they are now, after the game has started or stopped a moving solid, or has added or removed some.
+    pub(super) fn reread_paths(&mut self, terrain: &Terrain, trace: &mut Trace) {
+        if matches!(self.mode, Mode::Crushed(_)) {
+            return;
+        }
+        let known = self.beside.len();
+        if known != terrain.movers.len() {
+            self.go_down_to_the_level(terrain);
+            if self.find_places(terrain).is_err() {
+                self.crush(terrain, trace);
+            }
+            return;
+        }
+        for i in 0..known {
+            if i < self.beside.len() {
+                self.take_up_node(i, terrain, trace);
+            }
+        }
+        if let Some(old) = self.frame {
+            let new = Ride::at(old.mover, self.time, terrain.movers);
+            if new.piece == old.piece {
+                self.frame = Some(new);
+            } else {
+                self.ride_on(terrain, trace);
+            }
+        }
+    }
+
+    /// What carries the body may be no more: in the air, where it is, as fast as it was.
+    fn go_down_to_the_level(&mut self, terrain: &Terrain) {
+        if self.frame.is_none() {
+            return;
+        }
+        let face = self.level_face(terrain.mesh(self.size));
+        self.fly(self.position(), self.velocity(), face, [None; 2]);
+        self.frame = None;
+    }
+
+    /// The place of a rider in the level.
+    pub(super) fn level_entry(&self) -> Option<&Beside> {
+        self.beside.iter().find(|b| b.frame.is_none())
+    }
+
+    /// The place of a rider in the level after an edit: the face, what presses on him as far as it is still there, what he touches.
+    pub(super) fn take_level_place(
+        &mut self,
+        face: FaceId,
+        pressing: Option<SegmentId>,
+        touching: [Option<SegmentId>; 2],
+        ground: Ground,
+    ) {
+        let now = self.time;
+        let Some(level) = self.beside.iter_mut().find(|b| b.frame.is_none()) else {
+            return;
+        };
+        let at = level.flight.position(now);
+        let contact = level.contact.zip(pressing);
+        level.contact = contact.and_then(|(c, segment)| c.at(at, segment, ground));
+        let beside = level.contact.and_then(|c| ground.left(c.edge));
+        level.flight.face = beside.unwrap_or(face);
+        level.flight.touching = touching;
+        level.of = None;
+    }
+
+    /// The face of the level's mesh, of the body's size, that the body is in or beside, whatever carries it.
+    pub fn level_face(&self, level: &Mesh) -> FaceId {
+        self.level_entry()
+            .map_or_else(|| self.face(level), |level| level.flight.face)
+    }
+
+    /// Whether nothing of another frame is in the way from where the body is to another place of its own frame.
+    pub(super) fn is_clear_to(&self, place: DVec2, terrain: &Terrain) -> bool {
+        let by = place - self.local_position();
+        self.beside.iter().all(|b| {
+            let from = b.flight.position(self.time);
+            let mesh = b.ground(self.size, terrain);
+            cast(mesh, b.flight.face, from, from + by).is_some()
+        })
+    }
+
+    /// Whether a place in every other frame is free for another size too.
+    pub(super) fn fits_beside(&self, size: Size, terrain: &Terrain) -> bool {
+        let fits = |b: &Beside| b.place(self.time, size, terrain).is_some();
+        self.beside.iter().all(fits)
+    }
+
+    /// Takes the places in all other frames for a size that fits there.
+    pub(super) fn take_places(&mut self, size: Size, terrain: &Terrain) {
+        let now = self.time;
+        for beside in &mut self.beside {
+            if let Some((face, contact)) = beside.place(now, size, terrain) {
+                beside.flight.face = face;
+                beside.flight.touching = [contact.map(|c| c.segment), None];
+                (beside.contact, beside.of) = (contact, None);
+            }
+        }
+    }
+
+    /// When the body, which waits to stand up where its own frame has room, is clear of the solids of other frames too.
+    pub(super) fn clear_beside(&self, until: f64, terrain: &Terrain) -> Option<f64> {
+        let blocked = |b: &&Beside| b.place(self.time, Size::Stand, terrain).is_none();
+        let clear = self.beside.iter().filter(blocked).map(|b| {
+            let mesh = b.ground(Size::Stand, terrain);
+            clear_in_flight(&b.flight, self.time, until, mesh).unwrap_or(f64::INFINITY)
+        });
+        clear
+            .max_by(f64::total_cmp)
+            .filter(|&at| at > self.time && at.is_finite())
+    }
+
+    /// Caught between two solids that close: stays here.
+    pub(super) fn crush(&mut self, terrain: &Terrain, trace: &mut Trace) {
+        let face = self.level_face(terrain.mesh(self.size));
+        let at = self.position();
+        self.mode = Mode::Crushed(Crushed { at, face });
+        (self.frame, self.climbing) = (None, false);
+        self.beside.clear();
+        self.log(EventKind::Crushed, trace);
+    }
+}

@@ -1,0 +1,360 @@
+//! Struck by another frame: a body on a surface, or wedged, that an edge of another frame comes up against, or that comes up
+//! against one. It is taken over by that edge, or stays and is pressed by it: see [`super::contact`].
+
+use super::body::{Body, EventKind, Mode, Surface, Trace};
+use super::contact::Contact;
+use super::joint::{Joint, Onward};
+use super::terrain::{Ground, Terrain};
+use super::track::{Track, walkable};
+use super::vertex::{
+    Bearing, Heading, JOINT_STEPS, Sector, fan_ends, sector, segment_at, surface_next,
+};
+use crate::geom::STEP;
+use crate::mesh::{EdgeId, SegmentId};
+use crate::tune::Motion;
+use glam::DVec2;
+
+impl Body {
+    /// On a surface, and an edge of another frame is reached: taken over by that, or pressed by it.
+    pub(super) fn struck(&mut self, i: usize, edge: EdgeId, terrain: &Terrain, trace: &mut Trace) {
+        let t = terrain.tuning;
+        let mesh = self.beside[i].ground(self.size, terrain);
+        let Some(segment) = segment_at(mesh, edge, t.max_slope, |_| false) else {
+            return self.crush(terrain, trace);
+        };
+        let track = mesh.track(segment);
+        let (q, w) = self.seen_from(&self.beside[i]);
+        let into = -track.normal.dot(w);
+        if self.only_touches(i, edge, segment, terrain, trace) {
+            return;
+        }
+        let Mode::Surface(on) = &self.mode else {
+            return;
+        };
+        let onto = walkable(mesh.segment(segment), t.max_slope);
+        let (walks, below) = (on.walkable, on.clone());
+        if walks && !onto && self.passes_lip(i, terrain) {
+            return;
+        }
+        self.rebase();
+        let into = into.max(0.0);
+        let opens = below.track.normal.dot(track.normal);
+        let hands_over = match (walks, onto) {
+            (true, true) => opens > 0.0,
+            (false, true) => true,
+            (true, false) => false,
+            (false, false) => opens > 0.0 && rises(into * opens, t),
+        };
+        let contact = Contact {
+            segment,
+            track,
+            edge,
+        };
+        if !hands_over {
+            return self.touch(i, contact, into, trace, mesh);
+        }
+        let u = match (walks, onto) {
+            (true, true) => onward_speed(&below.track, &track, w, t),
+            _ => track.tangent.dot(w),
+        };
+        let s = track.parameter(q);
+        let mover = self.beside[i].mover();
+        self.board(
+            i,
+            Surface::new(self.time, (segment, track, edge), s, u, onto),
+            terrain,
+        );
+        self.log(
+            match (walks, onto) {
+                (true, true) => EventKind::Boarded(mover),
+                (_, true) => EventKind::Landed(into),
+                _ => EventKind::Hit(into),
+            },
+            trace,
+        );
+        if opens <= 0.0 {
+            // The old surface stands in the way of the new one.
+            let was = Contact {
+                segment: below.segment,
+                track: below.track,
+                edge: below.edge,
+            };
+            self.beside[i].contact = Some(was);
+        }
+    }
+
+    /// Whether an edge of another frame is met without being gone into: at its end, on the way past; or moving off, where only a lip
+    /// that rounding has left is in the way.
+    fn only_touches(
+        &mut self,
+        i: usize,
+        edge: EdgeId,
+        segment: SegmentId,
+        terrain: &Terrain,
+        trace: &mut Trace,
+    ) -> bool {
+        let (now, size) = (self.time, self.size);
+        let (q, w) = self.seen_from(&self.beside[i]);
+        let beside = &mut self.beside[i];
+        let mesh = beside.ground(size, terrain);
+        let track = mesh.track(segment);
+        let known = beside.flight.touching.contains(&Some(segment));
+        let (s, rounding) = (track.parameter(q), self.rounding_along(&track));
+        let beside = &mut self.beside[i];
+        let bearing = Bearing::of(w, beside.flight.accel);
+        let ends =
+            [edge, mesh.lnext(edge)].map(|e| (track.parameter_of(mesh.point(mesh.origin(e))), e));
+        let beyond = |(end, _): (f64, EdgeId), (other, _): (f64, EdgeId)| {
+            (s - end) * (other - end).signum() <= rounding
+        };
+        let at_end = [(ends[0], ends[1]), (ends[1], ends[0])]
+            .into_iter()
+            .find(|&(end, other)| beyond(end, other))
+            .map(|((_, spoke), _)| sector(mesh, spoke, bearing));
+        let past = match at_end {
+            Some(Sector::Free(face)) if !(face == beside.flight.face && known) => Some(face),
+            _ => None,
+        };
+        let moves_off = track.normal.dot(w) > 0.0 && !known;
+        if past.is_none() && !moves_off {
+            return false;
+        }
+        if let Some(face) = past {
+            beside.flight.face = face;
+            trace.crossed += 1;
+        }
+        beside.flight.touching[1] = Some(segment);
+        beside.plan(now, size, terrain);
+        true
+    }
+
+    /// Begins a contact.
+    fn touch(&mut self, i: usize, contact: Contact, into: f64, trace: &mut Trace, mesh: Ground) {
+        let mine = self.frame.map(|ride| ride.piece).unwrap_or_default();
+        let beside = &mut self.beside[i];
+        let apart = beside.piece().velocity(self.time) - mine.velocity(self.time);
+        let kind = match beside.mover() {
+            Some(mover) if contact.track.normal.dot(apart) > 0.0 => EventKind::Pushed(mover),
+            _ => EventKind::Stopped(into),
+        };
+        beside.flight.face = mesh
+            .left(contact.edge)
+            .expect("free on the left of a blocking edge");
+        beside.flight.touching = [Some(contact.segment), None];
+        (beside.contact, beside.of) = (Some(contact), None);
+        self.log(kind, trace);
+    }
+
+    /// At an end of the mesh edge that presses: on along the same line, round a corner that presses too, or past its end. True if
+    /// the motion of the body does not change.
+    pub(super) fn slide_past(&mut self, i: usize, terrain: &Terrain, trace: &mut Trace) -> bool {
+        let (now, size, t) = (self.time, self.size, terrain.tuning);
+        let (_, w) = self.seen_from(&self.beside[i]);
+        let beside = &mut self.beside[i];
+        let mesh = beside.ground(size, terrain);
+        let Some(mut contact) = beside.contact else {
+            return true;
+        };
+        let moves = contact.track.tangent.dot(w);
+        let turns = contact.track.tangent.dot(beside.flight.accel);
+        let sign = if moves != 0.0 { moves } else { turns };
+        let heading = match (sign > 0.0) == contact.track.leftward_free {
+            true => Heading::Along,
+            false => Heading::Against,
+        };
+        let next = surface_next(mesh, contact.edge, heading);
+        let same = |s: SegmentId| s == contact.segment || mesh.track(s).same_line(&contact.track);
+        let next = next.and_then(|e| Some((e, segment_at(mesh, e, t.max_slope, same)?)));
+        if let Some((next, s)) = next.filter(|&(_, s)| same(s)) {
+            (contact.edge, contact.segment) = (next, s);
+            beside.contact = Some(contact);
+            beside.flight.face = mesh.left(next).unwrap_or(beside.flight.face);
+            beside.flight.touching = [Some(s), None];
+            beside.flight.since = now - beside.flight.t0;
+            beside.plan(now, size, terrain);
+            return true;
+        }
+        self.rebase();
+        let beside = &mut self.beside[i];
+        let onward = next.map(|(e, s)| (e, s, mesh.track(s)));
+        let outwards = contact.track.tangent * sign.signum();
+        match onward {
+            Some((edge, segment, track)) if track.normal.dot(outwards) < 0.0 => {
+                // The corner turns towards the body: now that edge presses, if there is a speed for both.
+                let new = Contact {
+                    segment,
+                    track,
+                    edge,
+                };
+                self.press_in_corner(i, new, terrain, trace, mesh);
+            }
+            _ => {
+                let spoke = match heading {
+                    Heading::Along => mesh.lnext(contact.edge),
+                    Heading::Against => contact.edge,
+                };
+                let bearing = Bearing {
+                    d: outwards,
+                    then: contact.track.normal,
+                };
+                let face = match sector(mesh, spoke, bearing) {
+                    Sector::Free(face) => Some(face),
+                    Sector::Solid(..) => mesh.left(spoke),
+                };
+                beside.flight.face = face.unwrap_or(beside.flight.face);
+                beside.flight.touching = [None; 2];
+                (beside.contact, beside.of) = (None, None);
+            }
+        }
+        false
+    }
+
+    /// Two edges of one frame press at a corner: the second alone from here on, if it presses to the same side; else there is no
+    /// way out.
+    fn press_in_corner(
+        &mut self,
+        i: usize,
+        new: Contact,
+        terrain: &Terrain,
+        trace: &mut Trace,
+        mesh: Ground,
+    ) {
+        let Mode::Surface(on) = &self.mode else {
+            return;
+        };
+        let side = |c: &Contact| {
+            let lever = c.track.normal.dot(on.track.tangent);
+            if lever == 0.0 { 0.0 } else { lever.signum() }
+        };
+        let old = self.beside[i].contact;
+        if side(&new) == 0.0 || old.is_some_and(|old| side(&old) != side(&new)) {
+            return self.crush(terrain, trace);
+        }
+        self.touch(i, new, 0.0, trace, mesh);
+    }
+
+    /// Pressed against a joint by another frame: onto the next surface as far as the contacts leave room, else crushed. One who
+    /// only leans on what presses stops as ever.
+    pub(super) fn squeeze(
+        &mut self,
+        joint: Joint,
+        onward: Option<Onward>,
+        terrain: &Terrain,
+        trace: &mut Trace,
+    ) {
+        let mesh = self.ground(terrain);
+        let Some(on) = onward else {
+            return self.crush(terrain, trace);
+        };
+        let up = (joint.speed * on.cosine).max(0.0);
+        match self.squeezes(&on.track, on.sign, up) {
+            Some(u) => {
+                let into = joint.lost(up);
+                self.settle(on.segment, on.edge, on.start, u, into, terrain, trace);
+            }
+            None if self.presses_on(joint.track.tangent * joint.sign) => self.crush(terrain, trace),
+            None => self.stop(&joint, Some(&on), trace, mesh),
+        }
+    }
+
+    /// Held at a vertex, and struck by an edge of another frame: taken over by it, pressed up one of the sides, or crushed.
+    pub(super) fn struck_in_wedge(
+        &mut self,
+        i: usize,
+        edge: EdgeId,
+        terrain: &Terrain,
+        trace: &mut Trace,
+    ) {
+        let t = terrain.tuning;
+        let mesh = self.beside[i].ground(self.size, terrain);
+        let segment = segment_at(mesh, edge, t.max_slope, |_| false);
+        let Some((segment, [a, b])) = segment.zip(self.sides_of_wedge(terrain)) else {
+            return self.crush(terrain, trace);
+        };
+        let track = mesh.track(segment);
+        let (q, w) = self.seen_from(&self.beside[i]);
+        let into = -track.normal.dot(w);
+        if self.only_touches(i, edge, segment, terrain, trace) {
+            return;
+        }
+        let blocked = [a, b]
+            .into_iter()
+            .filter(|side| side.track.normal.dot(track.normal) <= 0.0);
+        let blocked: Vec<Surface> = blocked.collect();
+        match &blocked[..] {
+            [] => {
+                let onto = walkable(mesh.segment(segment), t.max_slope);
+                let (s, u) = (track.parameter(q), track.tangent.dot(w));
+                self.board(
+                    i,
+                    Surface::new(self.time, (segment, track, edge), s, u, onto),
+                    terrain,
+                );
+                let kind = if onto {
+                    EventKind::Landed(into)
+                } else {
+                    EventKind::Hit(into)
+                };
+                self.log(kind, trace);
+            }
+            [side] => {
+                self.mode = Mode::Surface(side.clone());
+                self.touch(
+                    i,
+                    Contact {
+                        segment,
+                        track,
+                        edge,
+                    },
+                    into,
+                    trace,
+                    mesh,
+                );
+            }
+            _ => self.crush(terrain, trace),
+        }
+    }
+
+    /// The two surfaces that hold a wedged body, at rest on each of them.
+    fn sides_of_wedge(&self, terrain: &Terrain) -> Option<[Surface; 2]> {
+        let Mode::Wedge(wedge) = &self.mode else {
+            return None;
+        };
+        let mesh = self.ground(terrain);
+        let distance = |e: &EdgeId| (mesh.point(mesh.origin(*e)).metres() - wedge.at).length();
+        let corners = mesh.sides(wedge.face);
+        let spoke = corners
+            .into_iter()
+            .min_by(|a, b| distance(a).total_cmp(&distance(b)))?;
+        let surface = |edge: EdgeId| {
+            let segment = segment_at(mesh, edge, mesh.max_slope, |_| false)?;
+            let track = mesh.track(segment);
+            let walks = walkable(mesh.segment(segment), mesh.max_slope);
+            let s = track.parameter(wedge.at);
+            Some(Surface::new(
+                self.time,
+                (segment, track, edge),
+                s,
+                0.0,
+                walks,
+            ))
+        };
+        let (out, into) = fan_ends(mesh, spoke)?;
+        Some([surface(out)?, surface(into)?])
+    }
+}
+
+/// The speed of a walker who goes on from a road onto another: all of what he has along the first, or its part along the second.
+fn onward_speed(from: &Track, onto: &Track, w: DVec2, t: &Motion) -> f64 {
+    let along = from.tangent * from.tangent.dot(w);
+    let kept = onto.tangent.dot(along);
+    match t.concave == 1.0 {
+        true => kept,
+        false => along.length().copysign(kept),
+    }
+}
+
+/// Whether a speed carries a body further than a joint may rise, so that ever smaller bounces end.
+fn rises(speed: f64, t: &Motion) -> bool {
+    speed * speed > 2.0 * t.gravity * f64::from(JOINT_STEPS) * STEP
+}
