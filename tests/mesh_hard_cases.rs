@@ -36,7 +36,7 @@ fn renamed(
 }
 
 #[test]
-fn hard_case_19_bad_outlines_are_typed_errors() {
+fn scene_19_bad_outlines_are_typed_errors() {
     let bow_tie = outline(&[(0, 0), (4, 4), (4, 0), (0, 4)]);
     assert_eq!(
         check_outline(&bow_tie),
@@ -70,7 +70,7 @@ fn hard_case_19_bad_outlines_are_typed_errors() {
 }
 
 #[test]
-fn hard_case_19_a_clockwise_ring_is_the_ring() {
+fn scene_19_a_clockwise_ring_is_the_ring() {
     let mut dice = Dice::new(19);
     let mut rings = 0;
     for _ in 0..300 {
@@ -99,7 +99,7 @@ fn hard_case_19_a_clockwise_ring_is_the_ring() {
 }
 
 #[test]
-fn hard_case_19_whatever_passes_the_door_makes_a_sound_mesh() {
+fn scene_19_whatever_passes_the_door_makes_a_sound_mesh() {
     let mut dice = Dice::new(190);
     let mut passed = 0;
     for seed in 0..3000 {
@@ -115,7 +115,7 @@ fn hard_case_19_whatever_passes_the_door_makes_a_sound_mesh() {
 }
 
 #[test]
-fn hard_case_21_edges_that_cross_at_two_billionths_of_a_radian() {
+fn scene_21_edges_that_cross_at_two_billionths_of_a_radian() {
     let end = BOUND - 2;
     // Each rises by a step or two over the width of the world, up or down.
     let lines = [
@@ -154,7 +154,7 @@ fn hard_case_21_edges_that_cross_at_two_billionths_of_a_radian() {
 }
 
 #[test]
-fn hard_case_21_ten_thousand_corners_in_a_spot() {
+fn scene_21_ten_thousand_corners_in_a_spot() {
     // A billionth of a metre is less than a step, so the spot is the size of 40 steps, with every grid point in it
     // a corner of many triangles.
     let mut dice = Dice::new(21);
@@ -179,7 +179,7 @@ fn hard_case_21_ten_thousand_corners_in_a_spot() {
 }
 
 #[test]
-fn hard_case_66_a_hundred_orders_and_starts_give_one_hash() {
+fn scene_66_a_hundred_orders_and_starts_give_one_hash() {
     for seed in 0..4 {
         let mut dice = Dice::new(660 + seed);
         let features = if seed % 2 == 0 {
@@ -211,7 +211,7 @@ fn hard_case_66_a_hundred_orders_and_starts_give_one_hash() {
 }
 
 #[test]
-fn hard_case_66_an_outline_may_start_at_any_corner() {
+fn scene_66_an_outline_may_start_at_any_corner() {
     let corners = [(0, 0), (30, 0), (34, 9), (20, 20), (21, 11), (5, 12)];
     let ring = outline(&corners);
     assert_eq!(check_outline(&ring), Ok(()));
