@@ -7,7 +7,7 @@ use super::terrain::{Ground, Region, Terrain};
 use super::vertex::JOINT_STEPS;
 use super::wall::is_wall;
 use crate::geom::STEP;
-use crate::mesh::{FeatureId, SegmentId};
+use crate::mesh::{EdgeId, FeatureId, SegmentId};
 
 /// Checks I1 (the place is free, and an airborne position is in it), I2 (the surface's edge exists, blocks, carries the
 /// feature edge, the parameter is on it, the road is its own, and a limit of the speed lies ahead; who holds on is upright
@@ -48,7 +48,8 @@ pub fn check(body: &Body, terrain: &Terrain, trace: &Trace) -> Result<(), String
 }
 
 /// An airborne position is at most 2 ulp outside its face. Rounding may have put a piece of a cut feature edge up to half a
-/// step per axis before that edge: there the edge itself is the bound, and a body that has just left it starts from it.
+/// step per axis before that edge: there the edge itself is the bound, and a body that has just left it starts from it. Behind
+/// such a piece a body may be past the end of it, and so as far beyond the side of the face that begins there.
 fn in_face(body: &Body, mesh: Ground) -> Result<(), String> {
     let Mode::Air(air) = body.mode() else {
         return Ok(());
@@ -58,16 +59,22 @@ fn in_face(body: &Body, mesh: Ground) -> Result<(), String> {
     let touches = |s: SegmentId| air.touching.contains(&Some(s)) || air.through == Some(s);
     let cut = |&s: &SegmentId| mesh.chain(s).len() > 2;
     let touches_cut = air.touching.iter().chain([&air.through]).flatten().any(cut);
-    for e in mesh.sides(air.face) {
+    let outside = |e: EdgeId| {
         let ends = [mesh.origin(e), mesh.dest(e)].map(|v| mesh.point(v).metres());
         let along = ends[1] - ends[0];
-        let outside = -along.perp_dot(p - ends[0]) / along.length();
-        let before_feature_edge = |s| mesh.track(s).height(p, p, p).0 >= -slack;
-        let displaced = match mesh.blocks(e) {
-            true => mesh.facing(e).any(|s| touches(s) || before_feature_edge(s)),
-            false => touches_cut,
-        };
-        if outside > slack && !(displaced && outside <= STEP) {
+        -along.perp_dot(p - ends[0]) / along.length()
+    };
+    let before_feature_edge = |s| mesh.track(s).height(p, p, p).0 >= -slack;
+    let displaced =
+        |e: EdgeId| mesh.blocks(e) && mesh.facing(e).any(|s| touches(s) || before_feature_edge(s));
+    let sides = mesh.sides(air.face);
+    let behind_piece = sides
+        .into_iter()
+        .any(|e| outside(e) > slack && displaced(e));
+    for e in sides {
+        let may = displaced(e) || !mesh.blocks(e) && (touches_cut || behind_piece);
+        let outside = outside(e);
+        if outside > slack && !(may && outside <= STEP) {
             return Err(format!(
                 "I1: {outside:e} m outside its face at {p}, {slack:e} allowed"
             ));

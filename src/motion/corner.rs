@@ -1,13 +1,23 @@
 //! A flight that meets a vertex: a touch, a landing on one of its two edges, or rest between them.
 
 use super::body::{Body, Mode, Trace};
-use super::terrain::Terrain;
+use super::terrain::{Ground, Terrain};
 use super::track::Track;
-use super::vertex::{Bearing, Sector, sector, segment_at};
+use super::vertex::{Bearing, Sector, sector, segment_at, surface_next};
 use crate::mesh::{EdgeId, SegmentId, VertexId};
 use glam::DVec2;
 
 impl Body {
+    /// The wall that has stopped a body on a surface, where it still stands against it.
+    pub(super) fn wall_beside(&self, mesh: Ground) -> Option<SegmentId> {
+        let Mode::Surface(on) = &self.mode else {
+            return None;
+        };
+        let stopped = on.against != 0.0 && on.u0 == 0.0 && on.accel == 0.0;
+        let wall = surface_next(mesh, on.edge, on.heading(on.against)).filter(|_| stopped)?;
+        segment_at(mesh, wall, mesh.max_slope, |_| false)
+    }
+
     /// At a vertex, exactly or as rounding goes. `spoke` leaves it, with the free face that the body comes from on its left;
     /// it has come to a piece of `segment` there. False if the vertex does not decide anything: then it is a contact with that.
     ///

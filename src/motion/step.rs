@@ -225,7 +225,13 @@ impl Body {
         let p = self.local_position();
         v.y = v.y.max(0.0) + t.jump_speed;
         v += self.remembered(terrain);
-        let touching = [self.segment(), None];
+        // In a corner the wall takes up what goes into it: its piece there may have been displaced, and tell nothing.
+        let wall = self.wall_beside(mesh);
+        if let Some(wall) = wall {
+            let normal = mesh.track(wall).normal;
+            v -= normal * normal.dot(v).min(0.0);
+        }
+        let touching = [self.segment(), wall];
         self.fly(p, v, face, touching);
         if std::mem::take(&mut self.climbing) {
             self.reach = Reach::AfterApex;

@@ -72,7 +72,7 @@ fn may_move(kind: EventKind, t: &Motion) -> f64 {
         EventKind::Corrected(h) if h <= t.corner_correction.max(t.ledge_correction) + STEP => {
             sideways(h)
         }
-        EventKind::Grabbed => t.ledge_magnet + STEP,
+        EventKind::Grabbed => sideways(t.ledge_magnet) + STEP,
         EventKind::Embedded(h) => h + STEP,
         _ => 0.0,
     }

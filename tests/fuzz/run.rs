@@ -5,7 +5,7 @@ use super::invariants::{outside, tick};
 use super::tally::Tally;
 use edgewalker::geom::Point;
 use edgewalker::mesh::FeatureId;
-use edgewalker::motion::{Body, EventKind, Mode, Trace, check::check};
+use edgewalker::motion::{Body, EventKind, Mode, Terrain, Trace, check::check};
 use edgewalker::tune::Motion;
 use glam::DVec2;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -66,19 +66,24 @@ fn ticks(case: &Case, ready: &mut Ready, tally: &mut Tally, n: &mut u64) -> Resu
         while let Some(&(_, control)) = inputs.next_if(|i| i.0 <= *n) {
             body.apply(control, &terrain, &mut trace);
         }
-        let context =
-            |e: String, body: &Body| format!("{e}\n    at {} in {:?}", body.position(), body);
-        tick(&mut body, time(*n), &terrain, &mut trace).map_err(|e| context(e, &body))?;
-        tally.note(&body, &trace);
-        if trace.events.iter().any(|e| e.kind == EventKind::Stuck) {
-            let cycle: Vec<_> = trace.events.iter().rev().take(5).collect();
-            return Err(context(format!("cycle: {cycle:?}"), &body));
+        if let Err(what) = checked(&mut body, time(*n), &terrain, &mut trace) {
+            let last: Vec<_> = trace.events.iter().rev().take(8).rev().collect();
+            return Err(format!("{what}\n    after {last:?}\n    {body:?}"));
         }
-        check(&body, &terrain, &trace).map_err(|e| context(e, &body))?;
-        outside(&body, &terrain).map_err(|e| context(e, &body))?;
+        tally.note(&body, &trace);
         dead += u64::from(matches!(body.mode(), Mode::Crushed(_)));
     }
     Ok(())
+}
+
+/// A tick, and every invariant after it.
+fn checked(body: &mut Body, to: f64, terrain: &Terrain, trace: &mut Trace) -> Result<(), String> {
+    tick(body, to, terrain, trace)?;
+    if trace.events.iter().any(|e| e.kind == EventKind::Stuck) {
+        return Err("cycle: the events did not end".into());
+    }
+    check(body, terrain, trace)?;
+    outside(body, terrain)
 }
 
 /// A body at a free place; none if it is not free.

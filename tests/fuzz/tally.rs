@@ -34,6 +34,8 @@ const EVENTS: &[&str] = &[
     "Climbed",
     "Corrected",
     "Embedded",
+    "Entered",
+    "Exited",
     "Grabbed",
     "Hit",
     "Joint",
@@ -48,6 +50,9 @@ const EVENTS: &[&str] = &[
     "Unlocked",
     "WallJumped",
     "Wedged",
+    "SteppedUp",
+    "Snapped",
+    "Dropped",
 ];
 
 /// What occurs less than once in so many ticks is too rare to be tested.

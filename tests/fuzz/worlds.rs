@@ -34,8 +34,11 @@ pub fn world(dice: &mut Dice) -> World {
         let outline = shape(dice, family);
         features.push(solid(dice, outline));
     }
-    for _ in 0..2 + dice.below(5) {
+    for _ in 0..4 + dice.below(7) {
         features.push(one_way(dice, family));
+    }
+    for _ in 0..2 + dice.below(3) {
+        features.push(stairs(dice, family));
     }
     for _ in 0..2 + dice.below(4) {
         features.push(region(dice, family));
@@ -86,10 +89,11 @@ pub fn spot(dice: &mut Dice) -> DVec2 {
 
 /// A control that is held for a while.
 fn control(dice: &mut Dice) -> Control {
+    let through = dice.below(10) == 0;
     Control {
         run: [-1.0, 1.0, -1.0, 1.0, 0.0, 51.0 / 127.0][dice.below(6) as usize],
-        jump: dice.below(3) == 0,
-        down: dice.below(6) == 0,
+        jump: dice.below(3) == 0 || through,
+        down: dice.below(6) == 0 || through,
         up: dice.below(5) == 0,
     }
 }
@@ -132,6 +136,21 @@ fn solid(dice: &mut Dice, outline: Vec<DVec2>) -> Feature {
         outline,
         ..Feature::default()
     }
+}
+
+/// Steps up to the right or down, all of one height: for step-up and floor snap.
+fn stairs(dice: &mut Dice, family: Family) -> Feature {
+    let (from, steps) = (place(dice, family), 2 + dice.below(6));
+    let (wide, high) = (dice.between(0.3, 1.5), dice.between(0.05, 0.35));
+    let high = if dice.below(2) == 0 { high } else { -high };
+    let end = from + DVec2::new(wide, high) * f64::from(steps);
+    let low = from.y.min(end.y) - 1.0;
+    let mut outline = vec![DVec2::new(from.x, low), DVec2::new(end.x, low)];
+    for i in (0..steps).rev() {
+        let at = |right: i32| from + DVec2::new(wide * f64::from(i + right), high * f64::from(i));
+        outline.extend([at(1), at(0)]);
+    }
+    solid(dice, outline)
 }
 
 /// The speed of a conveyor, mostly 0.
@@ -291,7 +310,7 @@ fn tuning(dice: &mut Dice) -> Motion {
         slope_gravity: some(0.1, 1.0),
         friction: some(0.0, 1.0),
         slope_speed: some(0.0, 0.6),
-        floor_snap: some(0.05, 0.4),
+        floor_snap: some(0.1, 0.5),
         step_up: some(0.05, 0.6),
         corner_correction: some(0.05, 0.3),
         ledge_correction: some(0.05, 0.3),
