@@ -4,12 +4,17 @@
 
 #[path = "common/player.rs"]
 mod player;
+#[path = "common/way.rs"]
+mod way;
 
+use edgewalker::cli::tuning;
 use edgewalker::game::{Input, Replay, Stage, World};
+use edgewalker::level;
+use edgewalker::motion::EventKind;
 use edgewalker::tune::Tuning;
 use player::{Player, WAY, quarry};
 use serde::{Deserialize, Serialize};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// What a run came to.
@@ -54,27 +59,108 @@ fn record(stage: &Arc<Stage>) -> Replay {
     for &act in WAY {
         player.act(act).unwrap();
     }
-    let mut replay = Replay::new("levels/quarry.ron", stage, 120, 0, &player.tuning);
-    player.inputs.extend([Input::default(); 120]);
-    player.inputs.iter().for_each(|&input| replay.push(input));
+    replay_of("levels/quarry.ron", stage, &player.tuning, &player.inputs)
+}
+
+fn replay_of(level: &str, stage: &Stage, tuning: &Tuning, inputs: &[Input]) -> Replay {
+    let mut replay = Replay::new(level, stage, 120, 0, tuning);
+    let rest = [Input::default(); 120];
+    inputs.iter().chain(&rest).for_each(|&i| replay.push(i));
     replay
 }
 
-#[test]
-fn the_quarry_from_start_to_goal() {
-    let stage = Arc::new(Stage::build(quarry()).unwrap());
-    let (run, outcome) = (file("quarry.replay.ron"), file("quarry.outcome.ron"));
+/// Compares a recorded run with what it came to; records both anew if that is asked for. The run.
+fn check(name: &str, stage: &Arc<Stage>, record: impl Fn(&Arc<Stage>) -> Replay) -> Replay {
+    let (run, outcome) = (
+        file(&format!("{name}.replay.ron")),
+        file(&format!("{name}.outcome.ron")),
+    );
     if std::env::var_os("GOLDEN").is_some_and(|v| v == "record") {
-        let replay = record(&stage);
+        let replay = record(stage);
         std::fs::write(&run, replay.to_text()).unwrap();
         let pretty = ron::ser::PrettyConfig::new().depth_limit(2);
-        let text = ron::ser::to_string_pretty(&play(&replay, Arc::clone(&stage)), pretty).unwrap();
+        let text = ron::ser::to_string_pretty(&play(&replay, Arc::clone(stage)), pretty).unwrap();
         std::fs::write(&outcome, text + "\n").unwrap();
     }
     let replay = Replay::parse(&std::fs::read_to_string(&run).unwrap()).unwrap();
     let expected: Outcome = ron::from_str(&std::fs::read_to_string(&outcome).unwrap()).unwrap();
     assert!(expected.won_at.is_some() && expected.positions.len() == 20);
-    assert_eq!(play(&replay, stage), expected);
+    assert_eq!(play(&replay, Arc::clone(stage)), expected);
+    replay
+}
+
+#[test]
+fn the_quarry_from_start_to_goal() {
+    check("quarry", &Arc::new(Stage::build(quarry()).unwrap()), record);
+}
+
+/// The gym, and the tuning that turns on what it is for.
+fn gym() -> (Arc<Stage>, Tuning) {
+    let level = level::load(Path::new("levels/dev/gym.ron")).unwrap();
+    let tuning = tuning::load(Path::new("levels/dev/gym.tuning.ron")).unwrap();
+    (Arc::new(Stage::build(level).unwrap()), tuning)
+}
+
+/// The way through the gym as it was written down.
+fn gym_inputs(stage: &Arc<Stage>, tuning: &Tuning, rate: u32) -> Vec<Input> {
+    let way = std::fs::read_to_string(file("gym.way.ron")).unwrap();
+    way::go(&way, stage, tuning, rate).unwrap_or_else(|error| panic!("{rate} Hz: {error}"))
+}
+
+/// A mechanism, and whether an event shows it.
+type Mechanism = (&'static str, fn(&EventKind) -> bool);
+
+/// What must happen on the way through the gym.
+const MECHANISMS: &[Mechanism] = &[
+    ("a step up", |kind| matches!(kind, EventKind::SteppedUp(_))),
+    ("a fall through planks", |kind| {
+        matches!(kind, EventKind::Dropped)
+    }),
+    ("a climb", |kind| matches!(kind, EventKind::Climbed)),
+    ("a wall jump", |kind| matches!(kind, EventKind::WallJumped)),
+    ("a ledge", |kind| matches!(kind, EventKind::Grabbed)),
+    ("a ride", |kind| {
+        matches!(kind, EventKind::Boarded(Some(_)) | EventKind::Node(_))
+    }),
+    ("a push", |kind| matches!(kind, EventKind::Pushed(_))),
+    ("a region", |kind| matches!(kind, EventKind::Entered(_))),
+    ("the way out of one", |kind| {
+        matches!(kind, EventKind::Exited(_))
+    }),
+];
+
+#[test]
+fn the_gym_by_every_mechanism() {
+    let (stage, tuning) = gym();
+    let replay = check("gym", &stage, |stage| {
+        let inputs = gym_inputs(stage, &tuning, 120);
+        replay_of("levels/dev/gym.ron", stage, &tuning, &inputs)
+    });
+    assert_eq!(
+        replay.tuning, tuning,
+        "recorded with the tuning that comes with the level"
+    );
+    let mut world = replay.world(stage).unwrap();
+    let mut events = Vec::new();
+    for input in replay.iter() {
+        world.step(input, &replay.tuning);
+        world
+            .check()
+            .unwrap_or_else(|error| panic!("tick {}: {error}", world.tick()));
+        events.extend(world.trace().events.iter().map(|event| event.kind));
+    }
+    for (name, happens) in MECHANISMS {
+        assert!(events.iter().any(happens), "no {name}");
+    }
+    assert_eq!(world.view().deaths, 1, "once into the thorns");
+}
+
+#[test]
+fn the_way_through_the_gym_is_open_at_other_tick_rates() {
+    let (stage, tuning) = gym();
+    for rate in [60, 240, 500] {
+        gym_inputs(&stage, &tuning, rate);
+    }
 }
 
 #[test]

@@ -106,18 +106,12 @@ impl World {
         self.look_again();
     }
 
-    /// Brings the starts of the movers to all shapes; bodies find their next event anew.
+    /// Brings the starts of the movers to all shapes and bodies.
     fn look_again(&mut self) {
-        let mut anchors = Vec::new();
-        self.each(|body, terrain, _| anchors.push(body.anchor(terrain)));
         for land in Arc::make_mut(&mut self.lands) {
             self.state.start_movers(land);
         }
-        let mut anchors = anchors.iter();
-        self.each(|body, terrain, trace| {
-            let anchor = anchors.next().expect("every body has its anchor");
-            body.rehome(anchor, terrain, trace);
-        });
+        self.each(|body, terrain, trace| body.retune(terrain, trace));
     }
 
     /// Checkpoints and goals that the hero has entered, in the events after those that were seen.

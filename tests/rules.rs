@@ -1,0 +1,257 @@
+//! What events mean: deaths, checkpoints, goals and triggers, each at its own time between two ticks.
+
+use edgewalker::game::{Input, Shape, Stage, World};
+use edgewalker::level::{By, Easing, Feature, Kind, Level, Mover, Rect, Repeat, Starts, Stop};
+use edgewalker::motion::{Control, EventKind};
+use edgewalker::tune::{Motion, Tuning};
+use glam::DVec2;
+use std::sync::Arc;
+
+const RATES: [u32; 5] = [30, 60, 120, 250, 1000];
+
+/// A box between two corners.
+fn block(id: &str, kind: Kind, (x0, y0): (f64, f64), (x1, y1): (f64, f64)) -> Feature {
+    Feature {
+        id: id.into(),
+        kind,
+        outline: [(x0, y0), (x1, y0), (x1, y1), (x0, y1)]
+            .map(DVec2::from)
+            .to_vec(),
+        ..Feature::default()
+    }
+}
+
+/// The same as a region that is entered by the foot.
+fn region(id: &str, kind: Kind, from: f64, to: f64) -> Feature {
+    Feature {
+        by: Some(By::Foot),
+        ..block(id, kind, (from, -0.5), (to, 3.0))
+    }
+}
+
+/// A long floor with regions and movers.
+fn world(more: &[Feature], movers: &[Mover], rate: u32) -> World {
+    let floor = block("floor", Kind::Solid, (-60.0, -1.0), (60.0, 0.0));
+    let level = Level {
+        version: 1,
+        name: "Rules".into(),
+        start: DVec2::ZERO,
+        goal: Rect {
+            min: DVec2::new(48.0, -0.5),
+            max: DVec2::new(49.0, 3.0),
+        },
+        bottom: -20.0,
+        features: [&[floor], more].concat(),
+        movers: movers.to_vec(),
+        scenery: Vec::new(),
+    };
+    World::new(Arc::new(Stage::build(level).unwrap()), rate, 0)
+}
+
+/// Plays until a time, to the right (1), to the left (-1) or at rest (0).
+fn play(world: &mut World, until: f64, run: i8) {
+    let input = Input {
+        run: 127 * run,
+        ..Input::default()
+    };
+    while world.time() < until {
+        world.step(input, &Tuning::default());
+    }
+}
+
+/// When somebody who starts to run at time 0 has come this far, m.
+fn run_time(way: f64) -> f64 {
+    let Motion {
+        run_speed,
+        run_accel,
+        ..
+    } = Motion::default();
+    let ramp = run_speed / run_accel;
+    ramp + (way - run_speed * ramp / 2.0) / run_speed
+}
+
+/// The time of the last event of a kind in the last tick.
+fn time_of(world: &World, wanted: impl Fn(EventKind) -> bool) -> Option<f64> {
+    let events = world.trace().events.iter().rev();
+    events
+        .filter(|event| wanted(event.kind))
+        .map(|event| event.time)
+        .next()
+}
+
+#[test]
+fn a_hazard_kills_when_it_is_entered() {
+    for rate in RATES {
+        let mut world = world(&[region("thorns", Kind::Hazard, 5.125, 9.0)], &[], rate);
+        let mut entered = None;
+        while world.view().deaths == 0 {
+            let now = world.time() + 0.5 / f64::from(rate);
+            play(&mut world, now, 1);
+            entered = time_of(&world, |kind| matches!(kind, EventKind::Entered(1)));
+        }
+        let late = (entered.unwrap() - run_time(5.125)).abs();
+        assert!(late < 1e-12, "{rate} Hz: {late:e} s");
+        assert!(world.time() - run_time(5.125) < 1.0 / f64::from(rate));
+        assert_eq!(world.view().position, DVec2::ZERO);
+    }
+}
+
+#[test]
+fn who_dies_comes_back_at_the_last_checkpoint() {
+    let camp = |id: &str, at: f64| Feature {
+        respawn: Some(DVec2::new(at, 0.0)),
+        ..region(id, Kind::Checkpoint, at - 0.5, at + 0.5)
+    };
+    let thorns = region("thorns", Kind::Hazard, 12.0, 15.0);
+    let mut world = world(&[camp("first", 3.0), camp("second", 7.0), thorns], &[], 120);
+    for deaths in 1..4 {
+        while world.view().deaths < deaths {
+            let now = world.time() + 1e-3;
+            play(&mut world, now, 1);
+        }
+        assert_eq!(world.view().position, DVec2::new(7.0, 0.0));
+    }
+    // Who asks for a restart begins anew, and has been nowhere.
+    world.step(
+        Input {
+            retry: true,
+            ..Input::default()
+        },
+        &Tuning::default(),
+    );
+    assert_eq!(world.view().position, DVec2::ZERO);
+}
+
+#[test]
+fn the_goal_is_reached_at_its_own_time_at_every_rate() {
+    for rate in RATES {
+        let mut world = world(&[], &[], rate);
+        play(&mut world, 7.0, 1);
+        let late = (world.view().won_at.unwrap() - run_time(48.0)).abs();
+        assert!(late < 1e-12, "{rate} Hz: {late:e} s");
+    }
+    let mut other = world(&[region("short cut", Kind::Goal, 10.0, 11.0)], &[], 120);
+    play(&mut other, 3.0, 1);
+    assert!((other.view().won_at.unwrap() - run_time(10.0)).abs() < 1e-12);
+}
+
+/// Four metres up in a second, when somebody has entered "button".
+fn door() -> Mover {
+    let stop = |y: f64, seconds: f64| Stop {
+        at: DVec2::new(0.0, y),
+        wait: 0.0,
+        seconds,
+        easing: Easing::Linear,
+    };
+    Mover {
+        id: "door".into(),
+        features: vec![block("leaf", Kind::Solid, (10.0, 0.0), (11.0, 4.0))],
+        path: vec![stop(0.0, 1.0), stop(4.0, 0.0)],
+        repeat: Repeat::Once,
+        starts: Starts::On("button".into()),
+    }
+}
+
+#[test]
+fn a_trigger_starts_its_movers_when_anybody_enters_it() {
+    for rate in RATES {
+        let button = region("button", Kind::Trigger, -6.0, -5.0);
+        let mut world = world(&[button], &[door()], rate);
+        let twin = world
+            .add_body(&Shape::hero(), DVec2::new(-2.0, 0.0))
+            .unwrap();
+        world.control(
+            twin,
+            Control {
+                run: -1.0,
+                ..Control::default()
+            },
+        );
+        play(&mut world, 1.0, 0);
+        let height = world.offsets_at(world.time()).next().unwrap().y;
+        let expected = 4.0 * (world.time() - run_time(3.0));
+        assert!(
+            (height - expected).abs() < 1e-11,
+            "{rate} Hz: {height} {expected}"
+        );
+        play(&mut world, 2.0, 0);
+        assert_eq!(world.offsets_at(2.0).next().unwrap().y, 4.0);
+    }
+}
+
+/// The door is shut for who comes too early, and open for who waits; a restart shuts it.
+#[test]
+fn a_door_lets_pass_who_has_opened_it() {
+    let button = region("button", Kind::Trigger, -3.0, -2.0);
+    let mut world = world(&[button], &[door()], 120);
+    play(&mut world, 2.0, 1);
+    assert_eq!(world.view().position.x, 10.0 - 13.0 / 32.0);
+    play(&mut world, 4.5, -1);
+    play(&mut world, 7.5, 1);
+    let x = world.view().position.x;
+    assert!(x > 12.0, "{x}, {:?}", world.offsets_at(world.time()).next());
+    world.step(
+        Input {
+            retry: true,
+            ..Input::default()
+        },
+        &Tuning::default(),
+    );
+    let later = world.time() + 2.0;
+    play(&mut world, later, 1);
+    let short = 10.0 - 13.0 / 32.0 - world.view().position.x;
+    assert!(short.abs() < 1e-12, "{short:e} m before the door");
+}
+
+#[test]
+fn a_crusher_kills_when_it_has_closed() {
+    for rate in RATES {
+        let stop = |y: f64, seconds: f64| Stop {
+            at: DVec2::new(0.0, y),
+            wait: 0.0,
+            seconds,
+            easing: Easing::Linear,
+        };
+        let crusher = Mover {
+            id: "crusher".into(),
+            features: vec![block("head", Kind::Solid, (18.0, 4.0), (24.0, 6.0))],
+            path: vec![stop(0.0, 2.0), stop(-4.0, 2.0)],
+            repeat: Repeat::Loop,
+            starts: Starts::AtOnce,
+        };
+        let mut world = world(&[], &[crusher], rate);
+        world.put(DVec2::new(21.0, 0.0)).unwrap();
+        play(&mut world, 1.1, 0);
+        assert_eq!(world.view().deaths, 0);
+        let mut crushed = None;
+        while world.view().deaths == 0 {
+            assert!(world.time() < 2.0, "{rate} Hz: not crushed");
+            let now = world.time() + 0.5 / f64::from(rate);
+            play(&mut world, now, 0);
+            crushed = time_of(&world, |kind| kind == EventKind::Crushed);
+        }
+        // The head, 109/64 m up, meets the crusher at 2 m/s.
+        let expected = (4.0 - 109.0 / 64.0) / 2.0;
+        let late = (crushed.unwrap() - expected).abs();
+        assert!(late < 1e-12, "{rate} Hz: {late:e} s");
+        assert_eq!(world.view().position, DVec2::ZERO);
+    }
+}
+
+/// A snapshot taken while the door opens, and one while it waits, go on as the world they were taken from.
+#[test]
+fn snapshots_know_what_moves() {
+    let button = region("button", Kind::Trigger, 4.0, 5.0);
+    let mut original = world(&[button], &[door()], 120);
+    for until in [0.4, 1.1, 2.6] {
+        play(&mut original, until, 1);
+        let text = ron::to_string(&original.snapshot()).unwrap();
+        let stage = Arc::clone(original.stage());
+        let mut again = World::restore(stage, ron::from_str(&text).unwrap()).unwrap();
+        let mut straight = original.clone();
+        play(&mut straight, until + 2.0, 1);
+        play(&mut again, until + 2.0, 1);
+        assert_eq!(again.hash(), straight.hash(), "from {until} s");
+        assert!(straight.view().position.x > 8.0);
+    }
+}
