@@ -71,7 +71,7 @@ impl Beside {
         let air = &mut self.flight;
         air.face = moved(mesh, air.face, from, to);
         (air.t0, air.p0, air.v0, air.accel) = (seen.t0, seen.p0, seen.v0, seen.accel);
-        air.since = now - seen.t0;
+        (air.since, air.limits) = (now - seen.t0, [None; 2]); // those belong to the body's own motion
         let apart = |s| mesh.track(s).height(to, to, to).0.abs() > STEP;
         air.through = air.through.filter(|&s| !apart(s));
         self.of = Some(body);

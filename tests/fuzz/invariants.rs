@@ -91,11 +91,12 @@ fn may_speed_up(kind: EventKind) -> bool {
     )
 }
 
-/// On what moves: a moving solid or a belt. There speeds count in its frame.
+/// On or against what moves: a moving solid or a belt. There speeds count in its frame.
 fn is_carried(body: &Body, terrain: &Terrain) -> bool {
     let ground = terrain.ground_under(body.carrier(), body.size());
     let belt = |s| terrain.traits_of(ground.segment(s).feature).conveyor != 0.0;
-    body.carrier().is_some() || body.segment().is_some_and(belt)
+    let moved = body.carrier().is_some() || body.pushed_by().is_some();
+    moved || body.segment().is_some_and(belt)
 }
 
 /// I1 from outside: the position is in no solid, of the level or moving, but for rounding.
