@@ -261,6 +261,32 @@ fn a_climbable_wall_is_climbed_over_and_left() {
 }
 
 #[test]
+fn a_belt_on_top_does_not_make_a_climber_climb_without_end() {
+    let hero = Scene {
+        stand: Collider::hero(),
+        crouch: Collider::hero_crouched(),
+        ..vines().tune(|t| t.run_brake = 30.0)
+    };
+    let belt = Traits {
+        conveyor: -3.0,
+        ..VINES[0]
+    };
+    for variant in [Variant::Plain, Variant::Shifted] {
+        hero.with(variant, &|run: &mut Run| {
+            run.terrain.traits = Box::leak(Box::new([VINES[0], belt]));
+            run.spawn(-HALF, -2.0).hold(1.0).advance(1.0);
+            up(run, true);
+            run.advance(3.0);
+            let landings = run.kinds().into_iter();
+            let landings = landings.filter(|k| matches!(k, EventKind::Landed(_)));
+            assert_eq!((landings.count(), run.supported()), (1, true));
+            run.near(-0.25, 0.0, 0.0);
+            run.frozen(60);
+        });
+    }
+}
+
+#[test]
 fn a_climber_comes_down_onto_the_ground() {
     let scene = vines().rect((-5.0, 5.0), (-9.0, -8.0));
     scene.each(|run| {
