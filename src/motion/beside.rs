@@ -404,7 +404,7 @@ impl Body {
         };
         let at = level.flight.position(now);
         let contact = level.contact.zip(pressing);
-        level.contact = contact.and_then(|(c, segment)| c.at(at, segment, ground));
+        level.contact = contact.and_then(|(c, segment)| c.at(at, segment, ground, None));
         let beside = level.contact.and_then(|c| ground.left(c.edge));
         level.flight.face = beside.unwrap_or(face);
         level.flight.touching = touching;

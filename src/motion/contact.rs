@@ -12,6 +12,7 @@ use super::roots::exit;
 use super::size::piece_at;
 use super::terrain::{Ground, Terrain};
 use super::track::{Axis, Track};
+use crate::geom::Point;
 use crate::mesh::{EdgeId, SegmentId};
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
@@ -57,12 +58,19 @@ impl Contact {
         if (is.a, is.b) != (was.a, was.b) {
             return None;
         }
-        self.at(at, segment, new)
+        let piece = [old.origin(self.edge), old.dest(self.edge)].map(|v| old.point(v));
+        self.at(at, segment, new, Some(piece))
     }
 
-    /// The same contact on the piece of a feature edge at a position, if that is free.
-    pub(super) fn at(&self, at: DVec2, segment: SegmentId, mesh: Ground) -> Option<Contact> {
-        let edge = piece_at(mesh, segment, self.track.parameter(at), &self.track)?;
+    /// The same contact on the piece of a feature edge at a position, if that is free; `was` are the ends of its piece so far.
+    pub(super) fn at(
+        &self,
+        at: DVec2,
+        segment: SegmentId,
+        mesh: Ground,
+        was: Option<[Point; 2]>,
+    ) -> Option<Contact> {
+        let edge = piece_at(mesh, segment, self.track.parameter(at), &self.track, was)?;
         Some(Contact {
             segment,
             edge,

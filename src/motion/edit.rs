@@ -151,12 +151,12 @@ impl Body {
         };
         let s = on.parameter(self.time);
         let same = anchor.segment.and_then(|old| again(ground, &old));
+        let seen = anchor.seen.sides.iter().find(|side| side.0 == on.edge);
+        let was = seen.map(|&(_, from, to, _)| [from, to]);
         let found = same
             .and_then(|segment| {
-                Some((
-                    super::size::piece_at(ground, segment, s, &on.track)?,
-                    segment,
-                ))
+                let edge = super::size::piece_at(ground, segment, s, &on.track, was)?;
+                Some((edge, segment))
             })
             .or_else(|| on_line(ground, on, s));
         let Some((edge, segment)) = found else {

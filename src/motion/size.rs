@@ -5,7 +5,7 @@ use super::roots::exit;
 use super::terrain::{Ground, Terrain};
 use super::track::{Track, delta};
 use super::vertex::{Bearing, JOINT_STEPS, Sector, sector, spokes};
-use crate::geom::STEP;
+use crate::geom::{Point, STEP};
 use crate::mesh::{EdgeId, FaceId, Kind, Place, SegmentId, VertexId};
 use glam::DVec2;
 
@@ -81,14 +81,29 @@ fn beside(mesh: Ground, solid: FaceId, p: DVec2) -> Option<FaceId> {
 
 /// The piece of a feature edge at a parameter that has a free face beside it, as the mesh edge with that face on its left.
 /// A body in a corner may stand up to a joint's width beyond the rounded vertex where the piece ends.
-pub(super) fn piece_at(mesh: Ground, segment: SegmentId, s: f64, track: &Track) -> Option<EdgeId> {
+///
+/// At a vertex two pieces qualify. One that shares more than that vertex with the piece that the body was on, if its ends
+/// are known, goes first: a wall may stand on the vertex, and the body is on one side of it.
+pub(super) fn piece_at(
+    mesh: Ground,
+    segment: SegmentId,
+    s: f64,
+    track: &Track,
+    was: Option<[Point; 2]>,
+) -> Option<EdgeId> {
     let beyond = |from: f64, to: f64| (from.min(to) - s).max(s - from.max(to)).max(0.0);
+    let apart = |from: f64, to: f64| {
+        was.is_some_and(|was| {
+            let [a, b] = was.map(|p| track.parameter_of(p));
+            from.max(to).min(a.max(b)) <= from.min(to).max(a.min(b))
+        })
+    };
     pieces(mesh, segment, track)
         .filter(|&(.., free)| free)
-        .map(|(from, to, edge, _)| (beyond(from, to), edge))
-        .filter(|&(beyond, _)| beyond <= f64::from(JOINT_STEPS) * STEP)
-        .min_by(|a, b| a.0.total_cmp(&b.0))
-        .map(|(_, edge)| edge)
+        .map(|(from, to, edge, _)| (apart(from, to), beyond(from, to), edge))
+        .filter(|&(_, beyond, _)| beyond <= f64::from(JOINT_STEPS) * STEP)
+        .min_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)))
+        .map(|(.., edge)| edge)
 }
 
 /// The pieces of a feature edge, from its start: parameters of both ends, the mesh edge with the free side on its left,
@@ -144,7 +159,9 @@ impl Body {
                 .segment_of(old.feature, old.source)
                 .filter(|&s| (mesh.segment(s).a, mesh.segment(s).b) == (old.a, old.b));
             if let Some(segment) = same {
-                let edge = piece_at(mesh, segment, on.s0, &on.track);
+                let from = terrain.ground_under(carrier, self.size);
+                let was = [from.origin(on.edge), from.dest(on.edge)].map(|v| from.point(v));
+                let edge = piece_at(mesh, segment, on.s0, &on.track, Some(was));
                 if let Some(edge) = edge {
                     // What stopped the old size may not stop the new one.
                     (on.edge, on.segment, on.against) = (edge, segment, 0.0);

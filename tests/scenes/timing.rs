@@ -247,3 +247,27 @@ fn who_is_pulled_off_a_slope_in_the_coyote_time_jumps_at_once() {
         close(run.speed().y, 12.0 - 30.0 * 0.01, 1e-9);
     });
 }
+
+#[test]
+fn crouching_at_a_tip_that_touches_the_floor_stays_on_its_side() {
+    // The body stands where the floor has a vertex; which of the two pieces there it is on, the numbers cannot say.
+    let scene = Scene::point()
+        .rect((-10.0, 10.0), (-1.0, 0.0))
+        .solid(&[(0.0, 0.0), (6.0, 1.0), (0.0, 1.0)])
+        .tune(|t| (t.run_accel, t.run_brake) = (50.0, 50.0));
+    for side in [-1.0, 1.0] {
+        scene.each(|run| {
+            run.spawn(2.0 * side, 0.0).hold(-side).advance(2.0);
+            run.near(0.0, 0.0, 0.0);
+            for down in [true, false] {
+                let later = run.time() + 1.0;
+                run.down(down).advance(later);
+                assert_eq!(run.crouched(), down);
+                run.near(0.0, 0.0, 0.0);
+            }
+            let later = run.time() + 0.1;
+            run.hold(side).advance(later);
+            assert!(run.at().x * side > 0.1, "back to where it came from");
+        });
+    }
+}
