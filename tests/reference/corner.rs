@@ -349,10 +349,11 @@ impl Body<'_> {
             );
             (side, outward, rank)
         });
-        if rounded && met.iter().all(|m| m.2.0) {
+        let follows = |m: &&(usize, f64, (bool, bool, bool, f64, f64))| m.2.0 && (m.2.1 || m.2.2);
+        // The motion meets the sides of a rounded corner one after the other.
+        if rounded && (met.iter().all(|m| m.2.0) || !met.iter().any(|m| follows(&m))) {
             self.doubt("a fall into a rounded corner");
         }
-        let follows = |m: &&(usize, f64, (bool, bool, bool, f64, f64))| m.2.0 && (m.2.1 || m.2.2);
         let best = met.iter().filter(follows);
         match best.max_by(|a, b| a.2.partial_cmp(&b.2).expect("numbers")) {
             None => self.rest(p),
