@@ -350,9 +350,11 @@ impl Body<'_> {
             (side, outward, rank)
         });
         let follows = |m: &&(usize, f64, (bool, bool, bool, f64, f64))| m.2.0 && (m.2.1 || m.2.2);
-        // The motion meets the sides of a rounded corner one after the other.
-        if rounded && (met.iter().all(|m| m.2.0) || !met.iter().any(|m| follows(&m))) {
-            self.doubt("a fall into a rounded corner");
+        // The motion meets the sides of a rounded corner one after the other, perhaps after a moment of flight between them.
+        let both = met.iter().all(|m| m.2.0);
+        let slanted = met.iter().any(|m| m.2.0 && !m.2.2 && m.2.4 > 0.0);
+        if rounded && (both || slanted) {
+            self.doubt("a hit in a rounded corner");
         }
         let best = met.iter().filter(follows);
         match best.max_by(|a, b| a.2.partial_cmp(&b.2).expect("numbers")) {
