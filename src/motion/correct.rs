@@ -174,11 +174,17 @@ impl Body {
         let feature_edge = mesh.segment(top.segment);
         let ground = Track::of(feature_edge);
         let s = ground.parameter_at_joint(feature_edge, &top.wall, top.vertex);
+        // Up a wall that leans the whole way counts; up an upright one that is the height, to the last bit.
+        if (ground.position(s) - at).length() > limit {
+            return false;
+        }
+        // The parameter of ground steeper than 45 degrees is a height.
+        let along = if ground.tangent.x < 0.0 { -v.x } else { v.x };
         if !self.is_clear_to(ground.position(s), terrain) {
             return false;
         }
         self.log(EventKind::Corrected(height), trace);
-        self.settle(top.segment, top.edge, s, v.x, -v.y, terrain, trace);
+        self.settle(top.segment, top.edge, s, along, -v.y, terrain, trace);
         true
     }
 }
