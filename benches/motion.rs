@@ -7,8 +7,11 @@ mod player;
 use divan::counter::ItemsCount;
 use divan::{Bencher, black_box};
 use edgewalker::game::{Replay, Shape, Stage};
-use edgewalker::motion::{Body, Control, Trace};
+use edgewalker::geom::{Collider, ExpandedEdge, Point, expand};
+use edgewalker::mesh::{Kind, Mesh};
+use edgewalker::motion::{Body, Control, Mode, Mover, Path, Piece, Region, Terrain, Trace, Traits};
 use edgewalker::tune::Motion;
+use glam::DVec2;
 use player::quarry;
 use std::sync::Arc;
 
@@ -66,6 +69,171 @@ fn steps_airborne(bencher: Bencher) {
             ..Control::default()
         },
     );
+}
+
+/// One step in each mode, in a small world made for it; items are steps of 1/120 s, 60 of them from the same state.
+#[divan::bench(args = MODES)]
+fn steps_by_mode(bencher: Bencher, mode: &str) {
+    let site = Site::of(mode);
+    let terrain = Terrain {
+        traits: &site.traits,
+        movers: &site.movers,
+        ..Terrain::new(&site.mesh, &site.mesh, &site.tuning)
+    };
+    let mut trace = Trace::default();
+    let mut body = Body::spawn(site.start, 0.0, &terrain).unwrap();
+    body.apply(site.control, &terrain, &mut trace);
+    body.advance(site.ready, &terrain, &mut trace);
+    assert!((site.is_there)(&body), "{mode}: {:?}", body.mode());
+    bencher.counter(ItemsCount::new(60u32)).bench_local(|| {
+        let mut body = black_box(&body).clone();
+        trace.clear();
+        for tick in 1..=60 {
+            body.advance(site.ready + f64::from(tick) / 120.0, &terrain, &mut trace);
+            black_box(body.position());
+        }
+        body
+    });
+}
+
+/// The modes, and what a body is doing in them.
+const MODES: [&str; 9] = [
+    "air",
+    "ground",
+    "slide",
+    "wall",
+    "wedge",
+    "ladder",
+    "riding",
+    "walking on a lift",
+    "pushed",
+];
+
+/// A world in which a body comes into a mode, and when it is in it.
+struct Site {
+    mesh: Mesh,
+    traits: Vec<Traits>,
+    movers: Vec<Mover>,
+    tuning: Motion,
+    start: DVec2,
+    control: Control,
+    ready: f64,
+    is_there: fn(&Body) -> bool,
+}
+
+impl Site {
+    fn of(mode: &str) -> Site {
+        let run = |run: f64| Control {
+            run,
+            ..Control::default()
+        };
+        let floor = [(-60, -1), (60, -1), (60, 0), (-60, 0)];
+        let site = |solid: &[(i32, i32)], start: (f64, f64), control, ready, is_there| Site {
+            mesh: Mesh::of(&[(0, Kind::Solid, grown(solid))]).unwrap(),
+            traits: Vec::new(),
+            movers: Vec::new(),
+            tuning: Motion::default(),
+            start: DVec2::new(start.0, start.1),
+            control,
+            ready,
+            is_there,
+        };
+        let on_ground: fn(&Body) -> bool = |b| b.supported();
+        let slides: fn(&Body) -> bool = |b| matches!(b.mode(), Mode::Surface(_)) && !b.supported();
+        let carried: fn(&Body) -> bool = |b| b.carrier().is_some();
+        let lift = |x: i32, y: i32, velocity| Mover {
+            path: Path {
+                pieces: vec![Piece {
+                    v0: velocity,
+                    ..Piece::default()
+                }],
+                period: None,
+            },
+            start: Some(0.0),
+            ..parked(&[(x, y - 1), (x + 30, y - 1), (x + 30, y), (x, y)])
+        };
+        match mode {
+            "air" => site(&floor, (0.0, 50.0), run(1.0), 0.5, |b| {
+                matches!(b.mode(), Mode::Air(_))
+            }),
+            "ground" => site(&floor, (0.0, 0.0), run(1.0), 0.5, on_ground),
+            "slide" => site(
+                &[(0, 0), (50, 0), (0, 100)],
+                (4.0, 96.0),
+                run(0.0),
+                1.0,
+                slides,
+            ),
+            "wall" => site(
+                &[(0, 0), (1, 0), (1, 90), (0, 90)],
+                (-0.5, 60.0),
+                run(1.0),
+                1.0,
+                slides,
+            ),
+            "wedge" => site(
+                &[(-9, 9), (-9, -9), (9, -9), (9, 9), (0, -8)],
+                (0.0, 4.0),
+                run(0.0),
+                3.0,
+                |b| matches!(b.mode(), Mode::Wedge(_)),
+            ),
+            "ladder" => {
+                let ladder = [(-2, 0), (2, 0), (2, 80), (-2, 80)];
+                let climbs = Control {
+                    up: true,
+                    ..run(0.0)
+                };
+                let ladder = (1, Kind::Region, grown(&ladder));
+                Site {
+                    mesh: Mesh::of(&[(0, Kind::Solid, grown(&floor)), ladder]).unwrap(),
+                    traits: vec![
+                        Traits::default(),
+                        Traits {
+                            region: Region::Ladder,
+                            ..Traits::default()
+                        },
+                    ],
+                    ..site(&floor, (0.0, 3.0), climbs, 0.5, |b| b.climbing())
+                }
+            }
+            "riding" => Site {
+                movers: vec![lift(-15, 20, DVec2::new(0.0, 2.0))],
+                ..site(&floor, (0.0, 21.0), run(0.0), 1.0, carried)
+            },
+            "walking on a lift" => Site {
+                movers: vec![lift(-15, 20, DVec2::new(1.0, 2.0))],
+                ..site(&floor, (-10.0, 21.0), run(1.0), 1.0, carried)
+            },
+            "pushed" => Site {
+                movers: vec![lift(-31, 1, DVec2::new(2.0, 0.0))],
+                ..site(&floor, (0.0, 0.0), run(0.0), 1.5, |b| {
+                    b.pushed_by().is_some()
+                })
+            },
+            _ => unreachable!("one of MODES"),
+        }
+    }
+}
+
+/// An outline with corners in metres, expanded by the standing hero.
+fn grown(outline: &[(i32, i32)]) -> Vec<ExpandedEdge> {
+    let corners: Vec<_> = outline
+        .iter()
+        .map(|&(x, y)| Point::new(x << 16, y << 16))
+        .collect();
+    expand(&corners, &Collider::hero())
+}
+
+/// A moving solid that waits.
+fn parked(outline: &[(i32, i32)]) -> Mover {
+    let mesh = Arc::new(Mesh::of(&[(2, Kind::Solid, grown(outline))]).unwrap());
+    Mover {
+        stand: Arc::clone(&mesh),
+        crouch: mesh,
+        path: Path::default(),
+        start: None,
+    }
 }
 
 /// The whole golden run through the rules of the game; items are ticks.
