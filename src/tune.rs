@@ -104,8 +104,8 @@ tunables! {
         slope_gravity = 0.0 in 0.0..=1.0, "", "Share of gravity that acts along walkable ground on one who has no wish.";
         friction = 0.0 in 0.0..=10.0, "", "Coefficient of friction of walkable ground, beside the brake.";
         slope_speed = 0.0 in 0.0..=1.0, "", "Share of the wished speed lost uphill and won downhill, times the sine of the slope.";
-        floor_snap = 0.0 in 0.0..=1.0, "m", "How far below the end of the ground a walker is set down on the next.";
-        step_up = 0.0 in 0.0..=1.0, "m", "How high a step a walker takes without a jump.";
+        floor_snap = 0.2 in 0.0..=1.0, "m", "How far below the end of the ground a walker is set down on the next.";
+        step_up = 0.2 in 0.0..=1.0, "m", "How high a step a walker takes without a jump.";
         corner_correction = 0.15 in 0.0..=1.0, "m", "How far a head that barely strikes a ceiling's corner is moved aside.";
         ledge_correction = 0.15 in 0.0..=1.0, "m", "How far feet that barely miss a ledge are lifted onto it.";
         wall_slide_speed = 4.0 in 0.0..=1000.0, "m/s", "Terminal speed along a wall that is pushed against; 0: as in the air.";

@@ -1,5 +1,5 @@
-//! Rest where a walker is driven back from either side: between belts that meet, at the bottom of a valley, at the end of a
-//! belt that carries him where the stick does not want to go. Without it he would swing about that vertex, ever faster.
+//! Rest where a walker is driven back from either side: between belts that meet, at the bottom of a valley, at the end of the
+//! ground where the stick wants him back. Without it he would swing about that vertex, ever faster.
 
 use super::body::{Body, Mode, Size, Trace};
 use super::footing::Footing;
@@ -27,7 +27,7 @@ impl Body {
         });
         let is_held = match self.ground_ahead(&joint, onward.as_ref(), terrain) {
             Some(ground) => self.is_held(&joint, &ground, terrain),
-            None if joint.is_end(onward.as_ref()) => self.is_held_at_end(&joint, terrain),
+            None if joint.is_end(onward.as_ref()) => self.is_brought_back(&joint, terrain),
             None => return self.step_up(&joint, terrain, trace),
         };
         if let Mode::Surface(on) = &mut self.mode
@@ -59,18 +59,21 @@ impl Body {
             && (joint.speed <= steady || joint.speed * joint.speed <= -2.0 * back * width)
     }
 
-    /// The same at the end of the ground: a belt carries him over it, and the stick would bring him back at once, through the
-    /// air or, up being held, by climbing again what he has just climbed.
-    pub(super) fn is_held_at_end(&self, joint: &Joint, terrain: &Terrain) -> bool {
+    /// Whether one who leaves the ground here is back at once: he is so slow that the stick brings him back through the air in
+    /// less than the width of a joint; or a belt carries him off while he holds up, and he climbs again what he has just
+    /// climbed. At the end of the ground he stops then; at a bend he stays on the ground.
+    pub(super) fn is_brought_back(&self, joint: &Joint, terrain: &Terrain) -> bool {
         let (t, forward) = (terrain.tuning, joint.forward());
         let ground = Footing::under(joint.segment, &joint.track, self.ground(terrain), terrain);
         let crouched = self.size == Size::Crouch;
         let push = forward * ground.law(0.0, &self.control, crouched, t).accel;
         let back = forward * law::steer(forward * joint.speed, &self.control, t).accel;
         let width = f64::from(JOINT_STEPS) * STEP;
-        let flies_back =
-            self.control.run * forward < 0.0 && joint.speed * joint.speed <= -2.0 * back * width;
-        let climbs_back = self.control.up && self.control.run == 0.0 && joint.speed == 0.0;
-        !self.is_pressed() && push > 0.0 && (flies_back || climbs_back)
+        let flies_back = self.control.run * forward < 0.0
+            && back < 0.0
+            && joint.speed * joint.speed <= -2.0 * back * width;
+        let climbs_back =
+            self.control.up && self.control.run == 0.0 && push > 0.0 && joint.speed == 0.0;
+        !self.is_pressed() && (flies_back || climbs_back)
     }
 }

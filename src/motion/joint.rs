@@ -218,7 +218,7 @@ impl Body {
             return self.walk_on(joint, ground, terrain, trace);
         }
         match onward {
-            _ if joint.is_end(onward.as_ref()) && self.is_held_at_end(&joint, terrain) => {
+            _ if joint.is_end(onward.as_ref()) && self.is_brought_back(&joint, terrain) => {
                 self.stop(&joint, onward.as_ref(), trace, mesh);
             }
             Some(on) if !on.towards => self.leave_or_snap(joint, Some(&on), terrain, trace),
@@ -279,7 +279,9 @@ impl Body {
             self.stop(&joint, Some(&on), trace, mesh);
             return false;
         }
-        if !on.towards && !straight && !joint.holds(on.after, mesh.segment(on.segment), mesh, t) {
+        let hops = !on.towards && !straight;
+        let hops = hops && !joint.holds(on.after, mesh.segment(on.segment), mesh, t);
+        if hops && !self.is_brought_back(&joint, terrain) {
             self.leave(joint, Some(on.edge), terrain, trace);
             return false;
         }

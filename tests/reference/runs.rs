@@ -114,6 +114,8 @@ fn tuning(dice: &mut Dice) -> Motion {
         joint_span: dice.between(0.3, 2.0),
         concave: f64::from(dice.below(2)),
         // What the reference does not know.
+        floor_snap: 0.0,
+        step_up: 0.0,
         corner_correction: 0.0,
         ledge_correction: 0.0,
         wall_slide_speed: 0.0,
