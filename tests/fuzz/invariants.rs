@@ -12,9 +12,10 @@ use glam::DVec2;
 pub fn tick(body: &mut Body, to: f64, terrain: &Terrain, trace: &mut Trace) -> Result<(), String> {
     while let Some(at) = body.next_at().filter(|&at| at <= to) {
         let before = body.clone();
-        let events = trace.events.len();
+        let (events, touched) = (trace.events.len(), trace.touched);
         body.advance(at, terrain, trace);
-        event(&before, body, at, &trace.events[events..], terrain)?;
+        let met = trace.touched > touched;
+        event(&before, body, met, &trace.events[events..], terrain)?;
     }
     let promised = body.forecast(to);
     body.advance(to, terrain, trace);
@@ -28,14 +29,15 @@ pub fn tick(body: &mut Body, to: f64, terrain: &Terrain, trace: &mut Trace) -> R
 }
 
 /// I6: no event lifts or speeds up a body, or moves it further than a joint may, apart from those that are there for it.
+/// `met`: it met something of another frame.
 fn event(
     before: &Body,
     body: &Body,
-    at: f64,
+    met: bool,
     news: &[Event],
     terrain: &Terrain,
 ) -> Result<(), String> {
-    let (p, v) = before.forecast(at);
+    let (p, v) = before.forecast(body.time());
     let (q, w) = (body.position(), body.velocity());
     let joint = f64::from(2 * JOINT_STEPS) * STEP * (1 + news.len()) as f64;
     let moves: f64 = news.iter().map(|e| may_move(e.kind, terrain.tuning)).sum();
@@ -45,7 +47,8 @@ fn event(
             q - p
         ));
     }
-    let free = news.iter().any(|e| may_speed_up(e.kind))
+    let free = met
+        || news.iter().any(|e| may_speed_up(e.kind))
         || [before, body].iter().any(|b| is_carried(b, terrain));
     if !free && w.length() > v.length() * (1.0 + 1e-12) + 1e-12 + late(before) {
         return Err(format!(
