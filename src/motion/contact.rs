@@ -12,7 +12,7 @@ use super::roots::exit;
 use super::size::piece_at;
 use super::terrain::{Ground, Terrain};
 use super::track::{Axis, Track};
-use crate::geom::Point;
+use crate::geom::{Point, STEP};
 use crate::mesh::{EdgeId, SegmentId};
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
@@ -147,6 +147,40 @@ impl Body {
         self.beside.iter().find(pushes).and_then(Beside::mover)
     }
 
+    /// At a joint where the body would stop: what it has drawn away from, but not yet come apart from, presses again if it
+    /// goes on into a body at rest.
+    pub(super) fn is_pressed_at_joint(&mut self, terrain: &Terrain) -> bool {
+        let now = self.time;
+        let mine = self.frame.map(|ride| ride.piece).unwrap_or_default();
+        for i in 0..self.beside.len() {
+            let beside = &self.beside[i];
+            let (mesh, (q, _)) = (beside.ground(self.size, terrain), self.seen_from(beside));
+            let Some(segment) = beside.flight.touching[0].filter(|_| beside.contact.is_none())
+            else {
+                continue;
+            };
+            let track = mesh.track(segment);
+            let presses = track
+                .normal
+                .dot(beside.piece().velocity(now) - mine.velocity(now));
+            let height = track.height(q, q, q).0;
+            let edge = piece_at(mesh, segment, track.parameter(q), &track, None);
+            if presses > 0.0
+                && height.abs() <= STEP
+                && let Some(edge) = edge
+            {
+                let contact = Contact {
+                    segment,
+                    track,
+                    edge,
+                };
+                let beside = &mut self.beside[i];
+                (beside.contact, beside.of) = (Some(contact), None);
+            }
+        }
+        self.is_pressed()
+    }
+
     /// The bounds of all contacts for a road in the present frame.
     fn bounds(&self, track: &Track) -> Vec<Bound> {
         let now = self.time;
@@ -214,9 +248,10 @@ impl Body {
             on.accel = accel;
             let marks = [on.limit.map_or(0.0, |(_, until)| until), 0.0];
             let time = |mark: f64| (on.t0 + (mark - on.u0) / accel, mark);
+            let rounding = bounds.iter().map(|b| b.rounding).fold(0.0, f64::max);
             let ahead = marks
                 .into_iter()
-                .filter(|mark| (mark - on.u0) * accel > 0.0);
+                .filter(|mark| (mark - on.u0) * accel.signum() > rounding);
             on.limit = ahead.map(time).min_by(|a, b| a.0.total_cmp(&b.0));
             if accel * on.against > 0.0 {
                 on.against = 0.0;

@@ -226,7 +226,7 @@ impl Body {
             Some(on) if keeps(&joint, &on, false, mesh, terrain) && climbs(joint.speed, t) => {
                 self.bend(&on, joint.speed, terrain, trace);
             }
-            on if self.is_pressed() => self.squeeze(joint, on, terrain, trace),
+            on if self.is_pressed_at_joint(terrain) => self.squeeze(joint, on, terrain, trace),
             Some(_) if self.step_up(&joint, terrain, trace) => {}
             Some(on) if climbs(joint.speed * on.cosine, t) => {
                 let up = joint.speed * on.cosine;
@@ -380,7 +380,7 @@ impl Body {
             return self.ladder_joint(joint, onward, terrain, trace);
         }
         let mesh = self.ground(terrain);
-        if self.is_pressed() && onward.as_ref().is_none_or(|on| on.towards) {
+        if self.is_pressed_at_joint(terrain) && onward.as_ref().is_none_or(|on| on.towards) {
             return self.squeeze(joint, onward, terrain, trace);
         }
         if self.climb_joint(&joint, onward.as_ref(), terrain, trace) {

@@ -5,6 +5,7 @@
 
 use super::beside::Beside;
 use super::body::{Air, Body, EventKind, Mode, Surface, Trace};
+use super::grip::Grip;
 use super::joint::Joint;
 use super::law;
 use super::mover::Ride;
@@ -42,6 +43,8 @@ impl Body {
             self.lift = Some((now, was));
         }
         let up = match &self.mode {
+            // Who holds on is taken along, wherever that goes.
+            Mode::Surface(on) if on.grip != Grip::None => DVec2::ZERO,
             Mode::Surface(on) => on.track.normal,
             _ => DVec2::Y,
         };
@@ -59,6 +62,7 @@ impl Body {
         self.frame = Some(new);
         if let Mode::Surface(on) = &mut self.mode
             && !on.walkable
+            && on.grip == Grip::None
         {
             on.u0 -= on.track.tangent.dot(leap);
         }
@@ -205,7 +209,7 @@ impl Body {
         let Some((edge, segment)) = ground_near(mesh, beside.flight.face, q, w.x.signum()) else {
             return false;
         };
-        let Some(face) = mesh.left(edge) else {
+        let Some(face) = mesh.left(edge).filter(|&f| f != beside.flight.face) else {
             return false;
         };
         let (now, size) = (self.time, self.size);
@@ -233,7 +237,7 @@ fn ground_near(mesh: Ground, face: FaceId, q: DVec2, dx: f64) -> Option<(EdgeId,
         let ends = [mesh.origin(e), mesh.dest(e)].map(|v| mesh.point(v).metres().x * dx);
         let (from, to) = (ends[0].min(ends[1]), ends[0].max(ends[1]));
         let height = track.normal.dot(q - track.position(track.parameter(q)));
-        let goes_on = from - reach <= q.x * dx && q.x * dx < to;
+        let goes_on = from - reach <= q.x * dx && q.x * dx + reach < to;
         (goes_on && height.abs() <= reach).then_some((height.abs(), e, segment))
     });
     let rank = |s: SegmentId| (mesh.segment(s).feature, mesh.segment(s).source);
