@@ -427,6 +427,14 @@ impl Body {
         })
     }
 
+    /// Whether no moving solid is where the body has been put.
+    pub(super) fn is_free_beside(&self, terrain: &Terrain) -> bool {
+        self.beside.iter().all(|b| {
+            let (at, v) = self.seen_from(b);
+            free_face(b.ground(self.size, terrain), at, v, DVec2::NEG_Y).is_ok()
+        })
+    }
+
     /// Whether a place in every other frame is free for another size too.
     pub(super) fn fits_beside(&self, size: Size, terrain: &Terrain) -> bool {
         let fits = |b: &Beside| b.place(self.time, size, terrain).is_some();

@@ -233,6 +233,9 @@ impl Body {
         if depth > 2.0 * STEP {
             self.log(EventKind::Embedded(depth), trace);
         }
+        if !self.is_free_beside(terrain) {
+            self.crush(terrain, trace);
+        }
         self.refresh(terrain, trace);
     }
 }

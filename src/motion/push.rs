@@ -3,6 +3,7 @@
 
 use super::body::{Body, EventKind, Mode, Surface, Trace};
 use super::contact::Contact;
+use super::grip::Grip;
 use super::joint::{Joint, Onward};
 use super::terrain::{Ground, Terrain};
 use super::track::{Track, walkable};
@@ -143,6 +144,11 @@ impl Body {
         beside.flight.touching = [Some(contact.segment), None];
         (beside.contact, beside.of) = (Some(contact), None);
         self.log(kind, trace);
+        if let Mode::Surface(on) = &mut self.mode
+            && std::mem::take(&mut on.grip) != Grip::None
+        {
+            self.log(EventKind::LetGo, trace);
+        }
     }
 
     /// At an end of the mesh edge that presses: on along the same line, round a corner that presses too, or past its end. True if

@@ -198,6 +198,8 @@ impl Body {
                 .map(|at| (at, None)),
             Mode::Wedge(_) | Mode::Crushed(_) => None,
         };
+        // Where other frames are in the way, room in its own is not enough.
+        let clear = clear.filter(|&(at, _)| at > self.time || self.beside.is_empty());
         let clear = clear.or_else(|| self.clear_beside(until, terrain).map(|at| (at, None)));
         clear
             .filter(|&(at, _)| at < until)
