@@ -15,6 +15,9 @@ const LEAD_RATIO: f64 = 0.5;
 /// Share of half the picture's height that the hero may be away from its middle, however fast he falls.
 const KEEP_IN: f64 = 0.6;
 
+/// How fast the speed may change that the camera leads by, in m/s^2: a hero who jumps off a wall shall not jerk the picture.
+const PACE_RATE: f64 = 40.0;
+
 /// Where a picture is taken from. Metres; x right, y up, z towards the viewer, the plane of play at z = 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pose {
@@ -43,7 +46,8 @@ pub struct CameraState {
     focus: DVec2,  // the point of the plane of play that is looked at, before `height`
     lead: DVec2,   // how far ahead of the anchor the focus is drawn
     anchor: DVec2, // the hero's place, without the small ups and downs of a jump
-    last: View,    // the view of the previous step
+    pace: f64, // the speed sideways that is led by: the hero's, but for jumps of it off a wall or into one
+    last: View, // the view of the previous step
 }
 
 impl CameraState {
@@ -53,6 +57,7 @@ impl CameraState {
             focus: view.position,
             lead: DVec2::ZERO,
             anchor: view.position,
+            pace: view.velocity.x,
             last: *view,
         }
     }
@@ -74,10 +79,17 @@ impl CameraState {
         }
         self.anchor = match view.stance {
             Stance::Air => DVec2::new(view.position.x, held),
-            Stance::Ground | Stance::Slide | Stance::Wedge => view.position,
+            Stance::Ground | Stance::Slide | Stance::Wedge | Stance::Climb => view.position,
         };
+        // Who climbs holds the same keys to get on.
+        let look = match view.stance {
+            Stance::Climb | Stance::Slide => 0.0,
+            Stance::Air | Stance::Ground | Stance::Wedge => look,
+        };
+        let most = PACE_RATE * dt;
+        self.pace += (view.velocity.x - self.pace).clamp(-most, most);
         let asked = DVec2::new(0.0, look.clamp(-1.0, 1.0) * tuning.look);
-        let wished = asked + wished_lead(view, self.anchor.y != before.y, tuning);
+        let wished = asked + wished_lead(view, self.pace, self.anchor.y != before.y, tuning);
         let rates = DVec2::new(tuning.stiffness_x, tuning.stiffness_y);
         self.follow(before, wished, rates, dt);
         self.keep_in_picture(view.position, tuning);
@@ -126,13 +138,13 @@ fn held_height(before: f64, view: &View, dead_zone: f64) -> f64 {
 
 /// How far ahead of the anchor the aim should be drawn: the tuned lead, and what the filter will lag behind an even
 /// motion. Sideways always; up and down only while the height is followed, and not for the rise of a jump.
-fn wished_lead(view: &View, follows_height: bool, tuning: &Camera) -> DVec2 {
+fn wished_lead(view: &View, pace: f64, follows_height: bool, tuning: &Camera) -> DVec2 {
     let rises = view.stance == Stance::Air && view.velocity.y > 0.0;
-    let velocity = if follows_height && !rises {
-        view.velocity
-    } else {
-        DVec2::new(view.velocity.x, 0.0)
+    let fall = match follows_height && !rises {
+        true => view.velocity.y,
+        false => 0.0,
     };
+    let velocity = DVec2::new(pace, fall);
     let limit = DVec2::splat(tuning.lead_limit);
     let lag = velocity / DVec2::new(tuning.stiffness_x, tuning.stiffness_y);
     (velocity * tuning.lead).clamp(-limit, limit) + lag

@@ -50,6 +50,8 @@ pub enum Stance {
     Slide,
     /// Wedged at a vertex.
     Wedge,
+    /// On a ladder.
+    Climb,
 }
 
 /// Everything that a picture of one moment needs; a plain value.

@@ -4,7 +4,7 @@ use super::meshes::Shape;
 use super::snapshot::State;
 use super::stage::{Edit, EditError, Land, Stage};
 use super::{Input, Stance, View};
-use crate::level::Feature;
+use crate::level::{Feature, Kind};
 use crate::mesh::{Mesh, MeshError};
 use crate::motion::{Body, Control, EventKind, Mode, Size, SpawnError, Trace, check};
 use crate::tune::{Motion, Tuning};
@@ -235,6 +235,7 @@ impl World {
             velocity: hero.velocity(),
             normal: hero.normal(),
             stance: match hero.mode() {
+                _ if hero.climbing() => Stance::Climb,
                 Mode::Air(_) => Stance::Air,
                 Mode::Surface(_) if hero.supported() => Stance::Ground,
                 Mode::Surface(_) => Stance::Slide,
@@ -251,11 +252,21 @@ impl World {
         }
     }
 
-    /// The feature that the hero is on.
+    /// The feature that the hero is on: the ladder that he climbs, or the ground or wall in contact.
     pub fn underfoot(&self) -> Option<&Feature> {
+        if self.hero().climbing() {
+            let covers = self.mesh().cover(self.hero().face(self.mesh())).iter();
+            let mut features = covers.filter_map(|&id| self.stage.feature(id));
+            return features.find(|feature| feature.kind == Kind::Ladder);
+        }
         let segment = self.hero().segment()?;
         self.stage
             .feature(self.mesh_under().segment(segment).feature)
+    }
+
+    /// The checkpoint at which the hero would come back; `None`: at the start.
+    pub fn checkpoint(&self) -> Option<&Feature> {
+        self.stage.feature(self.state.checkpoint?)
     }
 
     /// The mesh of what carries the hero: of a mover, where it was drawn, or of the level.

@@ -301,7 +301,11 @@ impl App {
         let deaths = self.play.world.view().deaths;
         self.play.tick(input, self.controls.look(), &self.tuning);
         if self.play.world.view().deaths != deaths {
-            self.notices.say("You fell: back at the start");
+            let place = match self.play.world.checkpoint() {
+                Some(_) => "checkpoint",
+                None => "start",
+            };
+            self.notices.say(format!("Back at the {place}"));
         }
         true
     }

@@ -71,7 +71,7 @@ impl Until {
             Until::Seconds(s) => time - begin.time >= s,
             Until::Grounded => grounded,
             Until::Still => grounded && velocity.length() == 0.0,
-            Until::OnWall => stance == Stance::Slide,
+            Until::OnWall => matches!(stance, Stance::Slide | Stance::Climb),
             Until::Falling => stance == Stance::Air && velocity.y < 0.0,
             Until::Mover(index, x, y) => {
                 let offset = world

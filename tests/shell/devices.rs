@@ -100,7 +100,7 @@ pub fn a_fall_is_told(folder: &Path) {
     frames(&mut app, 10);
     assert_eq!(notice(&app), None, "falling");
     frames(&mut app, 60);
-    assert_eq!(notice(&app), Some("You fell: back at the start"));
+    assert_eq!(notice(&app), Some("Back at the start"));
 }
 
 pub fn a_controller_comes_and_goes(_: &Path) {

@@ -173,6 +173,7 @@ fn hero(ui: &Ui, info: &Info) {
 fn mode(world: &World) -> String {
     let hero = world.hero();
     let mode = match hero.mode() {
+        _ if hero.climbing() => "on a ladder",
         Mode::Air(_) => "in the air",
         Mode::Surface(_) if hero.supported() => "on the ground",
         Mode::Surface(_) if hero.grip() != Grip::None => "holding on",

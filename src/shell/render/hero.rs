@@ -5,7 +5,7 @@ use super::frame::PointLight;
 use super::model::{Model, Paint, paint};
 use crate::anim::hero::{ARM, BONE, CAPE, Memory, Moves, PARTS, Part, Pose, STRIP, Support};
 use crate::game::{Stance, View};
-use glam::{Mat4, Vec3, vec3};
+use glam::{Mat4, Vec2, Vec3, vec3};
 
 const STEEL: Paint = paint(0xc9d2da).varied(0.10);
 const DARK: Paint = paint(0x39424f);
@@ -204,14 +204,18 @@ fn moves(view: &View) -> Moves {
     let support = match view.stance {
         Stance::Air => Support::Air,
         Stance::Ground | Stance::Wedge => Support::Ground,
-        Stance::Slide => Support::Wall,
+        Stance::Slide | Stance::Climb => Support::Wall,
     };
     Moves {
         time: view.time,
         x: view.position.x,
         velocity: view.velocity.as_vec2(),
         facing: view.facing as f32,
-        normal: view.normal.as_vec2(),
+        // A ladder is before him, wherever he looks.
+        normal: match view.stance {
+            Stance::Climb => Vec2::new(-view.facing as f32, 0.0),
+            _ => view.normal.as_vec2(),
+        },
         support,
         crouched: view.crouched,
         landed: (
