@@ -40,8 +40,9 @@ pub fn check(body: &Body, terrain: &Terrain, trace: &Trace) -> Result<(), String
     let bound = 64 + trace.crossed + trace.passed + 2 * trace.touched;
     if trace.events.len() as u64 > bound {
         return Err(format!(
-            "I5: {} events where {bound} are allowed",
-            trace.events.len()
+            "I5: {} events where {bound} are allowed, the last ones {:?}",
+            trace.events.len(),
+            &trace.events[trace.events.len() - 8..]
         ));
     }
     Ok(())

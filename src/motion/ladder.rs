@@ -7,7 +7,7 @@
 //!
 //! Up takes hold, and so does down in the air or on a one-way with the ladder going on below; held keys count. A jump leaves
 //! the ladder, and what is held takes hold again only when it rises no more. Who lets go (down and jump) or steps off has to
-//! press anew, or to stand first.
+//! press anew, or to stand first; down, in any case, anew.
 
 use super::body::{Body, EventKind, Mode, Trace};
 use super::grip::Grip;
@@ -22,6 +22,9 @@ use crate::tune::Motion;
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
+/// What rounding makes of the part of a wish across its own direction.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
+
 /// Whether a key that is held takes hold of a ladder.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Reach {
@@ -30,7 +33,7 @@ pub enum Reach {
     Open,
     /// Not before the jump off a ladder has come to its apex.
     AfterApex,
-    /// Not before it is pressed anew, or the body has stood.
+    /// Not before it is pressed anew, or the body has stood without down.
     Anew,
 }
 
@@ -82,8 +85,8 @@ impl Body {
             Mode::Surface(on) if wish.y > 0.0 => {
                 // Only if that leads off the ground: else he would land again at once.
                 let v = on.track.tangent * on.speed(self.time);
-                let [x, y] = self.climb_laws(v, terrain.tuning);
-                let away = on.track.normal.dot(DVec2::new(x.accel, y.accel)) > 0.0;
+                let accel = self.climb_accel(v, terrain.tuning);
+                let away = on.track.normal.dot(accel) > 0.0;
                 (inside && away).then_some(Hold::Off)
             }
             Mode::Surface(on) => {
@@ -100,7 +103,8 @@ impl Body {
     /// Loses its hold outside of ladders, and takes hold where it wants to and can.
     pub(super) fn mind_ladders(&mut self, terrain: &Terrain, trace: &mut Trace) {
         let rises = self.velocity().y > 0.0;
-        if self.supported() || self.reach == Reach::AfterApex && !rises {
+        let stands = self.supported() && !self.control.down;
+        if stands || self.reach == Reach::AfterApex && !rises {
             self.reach = Reach::Open;
         }
         if self.climbing && !self.on_ladder(terrain) {
@@ -155,39 +159,43 @@ impl Body {
         asked
     }
 
-    fn climb_laws(&self, v: DVec2, t: &Motion) -> [Law; 2] {
-        let goal = self.climb_wish() * t.climb_speed;
-        [(v.x, goal.x), (v.y, goal.y)].map(|(speed, goal)| Law::towards(speed, goal, t.climb_accel))
+    /// The acceleration of one who climbs freely: straight towards the velocity that he wishes for.
+    fn climb_accel(&self, v: DVec2, t: &Motion) -> DVec2 {
+        let miss = self.climb_wish() * t.climb_speed - v;
+        match miss == DVec2::ZERO {
+            true => DVec2::ZERO,
+            false => miss / miss.length() * t.climb_accel,
+        }
     }
 
-    /// The accelerations of one who climbs: each part of the velocity towards the wish for it; along something steep, only
-    /// the part along that.
+    /// The accelerations of one who climbs: towards the velocity that he wishes for; along something steep, towards its part
+    /// along that.
     pub(super) fn choose_on_ladder(&mut self, t: &Motion) {
-        let wish = self.climb_wish();
-        let limit = |from: f64, law: Law, speed: f64| {
-            let left = law.until.zip(law.time_left(speed));
-            left.map(|(until, left)| (from + left, until))
-        };
-        let laws = self.climb_laws(self.local_velocity(), t);
+        let goal = self.climb_wish() * t.climb_speed;
+        let accel = self.climb_accel(self.local_velocity(), t);
         match &mut self.mode {
             Mode::Air(air) => {
-                let [x, y] = laws;
-                air.accel = DVec2::new(x.accel, y.accel);
-                air.limits = [limit(air.t0, x, air.v0.x), limit(air.t0, y, air.v0.y)];
+                let reached = air.t0 + (goal - air.v0).length() / t.climb_accel;
+                air.accel = accel;
+                air.limits = match accel == DVec2::ZERO {
+                    true => [None; 2],
+                    false => [Some((reached, goal.x)), Some((reached, goal.y))],
+                };
             }
             Mode::Surface(on) => {
-                let goal = wish.dot(on.track.tangent) * t.climb_speed;
+                let goal = goal.dot(on.track.tangent);
                 let law = Law::towards(on.u0, goal, t.climb_accel).up_to_turn(on.u0);
+                let left = law.until.zip(law.time_left(on.u0));
                 on.accel = law.accel;
-                on.limit = limit(on.t0, law, on.u0);
+                on.limit = left.map(|(until, left)| (on.t0 + left, until));
             }
             Mode::Wedge(_) | Mode::Crushed(_) => {}
         }
     }
 
-    /// Whether the wish of one who climbs leads away from what he leans on.
+    /// Whether the wish of one who climbs leads away from what he leans on, by more than rounding makes of a wish along it.
     pub(super) fn climbs_off(&self, track: &Track) -> bool {
-        track.normal.dot(self.climb_wish()) > 0.0
+        track.normal.dot(self.climb_wish()) > ROUNDING
     }
 
     /// At the top of a ladder, in line with a one-way: up onto that, for there is no climbing on. False if it is none.

@@ -349,7 +349,7 @@ impl Body {
     pub(super) fn hold(&mut self, terrain: &Terrain, trace: &mut Trace) {
         let (at, face) = (self.local_position(), self.face(&self.ground(terrain)));
         self.mode = Mode::Wedge(Wedge { at, face });
-        self.next = None;
+        (self.next, self.climbing) = (None, false);
         self.log(EventKind::Stuck, trace);
     }
 
