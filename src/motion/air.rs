@@ -2,6 +2,7 @@
 
 use super::body::{Air, Body, EventKind, Mode, Next, Surface, Trace, Wedge};
 use super::grip::Grip;
+use super::ladder::Reach;
 use super::law;
 use super::roots::exit;
 use super::terrain::{Ground, Terrain};
@@ -259,7 +260,10 @@ impl Body {
         let walkable = mesh.walkable(segment);
         self.off_wall = None;
         if walkable {
-            (self.rising, self.coyote_from, self.climbing) = (false, None, false);
+            (self.rising, self.coyote_from) = (false, None);
+            if std::mem::take(&mut self.climbing) {
+                self.reach = Reach::Landed;
+            }
             self.log(EventKind::Landed(into), trace);
         } else {
             self.log(EventKind::Hit(into), trace);

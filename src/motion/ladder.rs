@@ -35,6 +35,8 @@ pub enum Reach {
     AfterApex,
     /// Not before it is pressed anew, or the body has stood without down.
     Anew,
+    /// Not before the control changes or the place is another one: the climb that was wished for has led to ground.
+    Landed,
 }
 
 /// How a body takes hold.
@@ -103,8 +105,14 @@ impl Body {
     /// Loses its hold outside of ladders, and takes hold where it wants to and can.
     pub(super) fn mind_ladders(&mut self, terrain: &Terrain, trace: &mut Trace) {
         let rises = self.velocity().y > 0.0;
-        let stands = self.supported() && !self.control.down;
-        if stands || self.reach == Reach::AfterApex && !rises {
+        let stands = self.supported();
+        let open = match self.reach {
+            Reach::Open => true,
+            Reach::AfterApex => stands || !rises,
+            Reach::Anew => stands && !self.control.down,
+            Reach::Landed => !stands || !self.on_ladder(terrain),
+        };
+        if open {
             self.reach = Reach::Open;
         }
         if self.climbing && !self.on_ladder(terrain) {

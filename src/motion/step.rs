@@ -76,7 +76,8 @@ impl Body {
         if control.jump && !before.jump {
             self.pressed_at = Some(self.time);
         }
-        if control.up && !before.up || control.down && !before.down {
+        let anew = control.up && !before.up || control.down && !before.down;
+        if anew || self.reach == Reach::Landed {
             self.reach = Reach::Open;
         }
         self.rebase();

@@ -2,7 +2,7 @@
 //! 4 m/s, 60 m/s^2, so that full speed is reached after 1/15 s and 2/15 m.
 
 use super::rig::*;
-use edgewalker::motion::{EventKind, Region};
+use edgewalker::motion::{Control, EventKind, Region};
 use glam::DVec2;
 
 /// How long it takes to climb so far from rest.
@@ -180,7 +180,12 @@ fn solids_stop_who_climbs_and_he_goes_along_them() {
         .rect((-9.0, 9.0), (5.0 + TALL, 8.0));
     scene.each(|run| {
         // Against a wall, still up along it, past its end, to the ceiling.
-        run.spawn(0.0, 1.5).up(true).hold(1.0).advance(0.25);
+        run.spawn(0.75 - HALF, 1.5).control(Control {
+            run: 1.0,
+            up: true,
+            ..Control::default()
+        });
+        run.advance(0.25);
         close(run.at().x, 0.75 - HALF, 0.0);
         close(run.at().y, 1.5 + 1.0 - 2.0 / 15.0, 1e-12);
         run.hold(0.0).advance(2.0);
@@ -248,4 +253,26 @@ fn the_same_bits_at_every_rate() {
         assert_eq!(once, run_at(rate, Variant::Plain), "{rate}");
     }
     assert_eq!(once, run_at(60.0, Variant::Mirrored));
+}
+
+#[test]
+fn a_climb_that_leads_back_into_a_corner_rests_there() {
+    // Up and to the right, under a wall that leans over him.
+    let scene = ladder(6.0).solid(&[(0.75, 0.0), (2.0, 0.0), (2.0, 4.0), (-0.75, 1.0)]);
+    let scene = Scene {
+        stand: edgewalker::geom::Collider::point(),
+        crouch: edgewalker::geom::Collider::point(),
+        ..scene
+    };
+    scene.tune(|t| t.run_accel = 50.0).each(|run| {
+        run.spawn(-0.5, 0.0)
+            .hold(1.0)
+            .advance(1.0)
+            .near(0.75, 0.0, 0.0);
+        run.up(true).advance(2.0).near(0.75, 0.0, 0.0);
+        run.frozen(60);
+        // Another wish gets him out.
+        run.hold(-1.0).advance(4.0);
+        assert!(run.body().climbing());
+    });
 }
