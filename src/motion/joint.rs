@@ -275,6 +275,10 @@ impl Body {
             surface.since = (now - surface.t0).max(surface.since);
             return true;
         }
+        if on.towards && self.is_shut(&joint, &on) {
+            self.crush(terrain, trace);
+            return false;
+        }
         if self.is_held(&joint, &on, terrain) {
             self.stop(&joint, Some(&on), trace, mesh);
             return false;

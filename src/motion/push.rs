@@ -113,7 +113,8 @@ impl Body {
             .find(|&(end, other)| beyond(end, other))
             .map(|((_, spoke), _)| sector(mesh, spoke, bearing));
         let past = match at_end {
-            Some(Sector::Free(face)) if !(face == beside.flight.face && known) => Some(face),
+            // Again: here rounding keeps it on the piece.
+            Some(Sector::Free(face)) if !known => Some(face),
             _ => None,
         };
         let moves_off = track.normal.dot(w) > 0.0 && !known;
@@ -261,6 +262,13 @@ impl Body {
             None if self.presses_on(joint.track.tangent * joint.sign) => self.crush(terrain, trace),
             None => self.stop(&joint, Some(&on), trace, mesh),
         }
+    }
+
+    /// Whether what presses on a walker drives him into a joint, and back into it along the ground beyond.
+    pub(super) fn is_shut(&self, joint: &Joint, on: &Onward) -> bool {
+        self.is_pressed()
+            && self.squeezes(&on.track, on.sign, joint.speed).is_none()
+            && self.presses_on(joint.track.tangent * joint.sign)
     }
 
     /// Held at a vertex, and struck by an edge of another frame: taken over by it, pressed up one of the sides, or crushed.

@@ -133,6 +133,9 @@ impl Body {
 
     /// Down means crouch on the ground; in the air it only keeps a body crouched.
     fn wished_size(&self) -> Size {
+        if matches!(self.mode, Mode::Crushed(_)) {
+            return self.size;
+        }
         let may = self.supported() || self.size == Size::Crouch;
         if self.control.down && may && !self.climbing {
             Size::Crouch

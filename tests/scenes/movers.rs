@@ -143,6 +143,46 @@ fn scene_56_a_pusher_crushes_against_a_wall() {
 }
 
 #[test]
+fn who_is_crushed_crouched_stays_so() {
+    let mut scene = Scene::boxed().rect((-20.0, 20.0), (-1.0, 0.0)).moving(
+        (-2.0, 2.0),
+        (3.0, 4.0),
+        &[(0.0, ZERO, v(0.0, -2.0), ZERO)],
+    );
+    scene.crouch = box_collider(HALF, TALL / 2.0);
+    scene.movers[0].0.crouch = scene.crouch.clone();
+    scene.each(|run| {
+        run.spawn(0.0, 0.0).down(true).advance(2.0);
+        close(
+            run.when(|k| k == EventKind::Crushed),
+            (3.0 - TALL / 2.0) / 2.0,
+            1e-15,
+        );
+        run.down(false).frozen(60);
+        assert!(run.crouched() && matches!(run.body().mode(), Mode::Crushed(_)));
+    });
+}
+
+#[test]
+fn a_pusher_crushes_in_a_valley_that_it_does_not_let_him_out_of() {
+    // Slopes of 1:2; the face that comes down on him is flatter, 1:5, and so drives him to the bottom from either side.
+    let scene = Scene::point()
+        .under(&[(-8.0, 4.0), (0.0, 0.0), (8.0, 4.0)], -2.0)
+        .mover(
+            Scene::point().solid(&[(-3.0, 4.0), (2.0, 5.0), (-3.0, 5.0)]),
+            &[(0.0, ZERO, v(0.0, -2.0), ZERO)],
+        );
+    scene.each(|run| {
+        run.spawn(-1.0, 0.5).advance(0.0).advance(4.0);
+        assert!(
+            matches!(run.body().mode(), Mode::Crushed(_)),
+            "{:?}",
+            run.kinds()
+        );
+    });
+}
+
+#[test]
 fn scene_56_a_floor_crushes_against_a_ceiling() {
     let scene = lift(&[(0.0, ZERO, v(0.0, 2.0), ZERO)]).rect((-20.0, 20.0), (5.0, 6.0));
     scene.each(|run| {
