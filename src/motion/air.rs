@@ -294,7 +294,7 @@ impl Body {
     /// lifts nobody off, but it may hold one on: in flight the whole acceleration must lead away.
     pub(super) fn pulled_off(&self, track: &Track, speed: f64, terrain: &Terrain) -> bool {
         if self.climbing {
-            return self.climbs_off(track);
+            return self.climbs_off(track, speed, terrain.tuning);
         }
         let carried = self
             .frame

@@ -22,7 +22,7 @@ use crate::tune::Motion;
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
-/// What rounding makes of the part of a wish across its own direction.
+/// What rounding makes of the part of a velocity across its own direction, as a share.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// Whether a key that is held takes hold of a ladder.
@@ -201,9 +201,10 @@ impl Body {
         }
     }
 
-    /// Whether the wish of one who climbs leads away from what he leans on, by more than rounding makes of a wish along it.
-    pub(super) fn climbs_off(&self, track: &Track) -> bool {
-        track.normal.dot(self.climb_wish()) > ROUNDING
+    /// Whether one who climbs along something at a speed is driven away from it, by more than rounding makes of a drive along it.
+    pub(super) fn climbs_off(&self, track: &Track, speed: f64, t: &Motion) -> bool {
+        let goal = self.climb_wish() * t.climb_speed;
+        track.normal.dot(goal) > ROUNDING * (goal.length() + speed.abs())
     }
 
     /// At the top of a ladder, in line with a one-way: up onto that, for there is no climbing on. False if it is none.
