@@ -121,6 +121,7 @@ impl Body {
         let Some(hold) = self.hold_wished(terrain) else {
             return;
         };
+        self.rebase();
         let mesh = self.ground(terrain);
         let (p, v) = (self.local_position(), self.local_velocity());
         match hold {
@@ -141,6 +142,8 @@ impl Body {
 
     /// Holds on no longer: in the air, or sliding, from here on.
     fn lose_hold(&mut self, terrain: &Terrain, trace: &mut Trace) {
+        // The law changes, also where the event was only a touch.
+        self.rebase();
         self.climbing = false;
         self.reach = Reach::Anew;
         if let Mode::Surface(on) = &self.mode
