@@ -147,33 +147,42 @@ impl Body {
         self.beside.iter().find(pushes).and_then(Beside::mover)
     }
 
-    /// At a joint where the body would stop: what it has drawn away from, but not yet come apart from, presses again if it
-    /// goes on into a body at rest.
-    pub(super) fn is_pressed_at_joint(&mut self, terrain: &Terrain) -> bool {
+    /// What goes on into a body at rest here: the contact of another frame, or the edge of it that the body has drawn away from
+    /// but not yet come apart from.
+    fn driving(&self, beside: &Beside, terrain: &Terrain) -> Option<Contact> {
         let now = self.time;
+        let mesh = beside.ground(self.size, terrain);
+        let segment = beside.contact.map(|c| c.segment);
+        let segment = segment.or(beside.flight.touching[0])?;
+        let (track, (q, _)) = (mesh.track(segment), self.seen_from(beside));
         let mine = self.frame.map(|ride| ride.piece).unwrap_or_default();
+        let closes = track
+            .normal
+            .dot(beside.piece().velocity(now) - mine.velocity(now));
+        if closes <= 0.0 || track.height(q, q, q).0.abs() > STEP {
+            return None;
+        }
+        let edge = piece_at(mesh, segment, track.parameter(q), &track, None)?;
+        Some(Contact {
+            segment,
+            track,
+            edge,
+        })
+    }
+
+    /// Whether something of another frame would strike the body at once if it came to rest here.
+    pub(super) fn is_driven(&self, terrain: &Terrain) -> bool {
+        let driven = |b: &Beside| self.driving(b, terrain).is_some();
+        self.beside.iter().any(driven)
+    }
+
+    /// At a joint where the body would stop: what drives it there presses on it again, though the body would run ahead.
+    pub(super) fn is_pressed_at_joint(&mut self, terrain: &Terrain) -> bool {
         for i in 0..self.beside.len() {
             let beside = &self.beside[i];
-            let (mesh, (q, _)) = (beside.ground(self.size, terrain), self.seen_from(beside));
-            let Some(segment) = beside.flight.touching[0].filter(|_| beside.contact.is_none())
-            else {
-                continue;
-            };
-            let track = mesh.track(segment);
-            let presses = track
-                .normal
-                .dot(beside.piece().velocity(now) - mine.velocity(now));
-            let height = track.height(q, q, q).0;
-            let edge = piece_at(mesh, segment, track.parameter(q), &track, None);
-            if presses > 0.0
-                && height.abs() <= STEP
-                && let Some(edge) = edge
+            if beside.contact.is_none()
+                && let Some(contact) = self.driving(beside, terrain)
             {
-                let contact = Contact {
-                    segment,
-                    track,
-                    edge,
-                };
                 let beside = &mut self.beside[i];
                 (beside.contact, beside.of) = (Some(contact), None);
             }

@@ -175,6 +175,7 @@ impl Body {
             && self
                 .away_from_wall(terrain)
                 .is_some_and(|away| self.control.run * away <= 0.0)
+            && !self.is_driven(terrain)
     }
 
     /// The parameter at which the body's feet hang from the ledge above the wall that it is on, if that is no higher than
@@ -240,6 +241,7 @@ impl Body {
         let hang = self.hang_parameter(on, t.ledge_magnet, terrain);
         let Some((hang, (edge, segment))) = hang
             .filter(|&hang| hang >= on.s0)
+            .filter(|&hang| self.is_clear_to(on.track.position(hang), terrain))
             .and_then(|hang| Some((hang, on.piece_above(hang, mesh)?)))
         else {
             return;

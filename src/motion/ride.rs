@@ -206,7 +206,15 @@ impl Body {
         let beside = &self.beside[i];
         let mesh = beside.ground(self.size, terrain);
         let (q, w) = self.seen_from(beside);
-        let Some((edge, segment)) = ground_near(mesh, beside.flight.face, q, w.x.signum()) else {
+        let goes = if w.x != 0.0 {
+            w.x
+        } else {
+            beside.flight.accel.x
+        };
+        if goes == 0.0 {
+            return false;
+        }
+        let Some((edge, segment)) = ground_near(mesh, beside.flight.face, q, goes.signum()) else {
             return false;
         };
         let Some(face) = mesh.left(edge).filter(|&f| f != beside.flight.face) else {
