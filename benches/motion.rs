@@ -121,97 +121,98 @@ struct Site {
     is_there: fn(&Body) -> bool,
 }
 
+const FLOOR: [(i32, i32); 4] = [(-60, -1), (60, -1), (60, 0), (-60, 0)];
+
 impl Site {
     fn of(mode: &str) -> Site {
-        let run = |run: f64| Control {
-            run,
-            ..Control::default()
-        };
-        let floor = [(-60, -1), (60, -1), (60, 0), (-60, 0)];
-        let site = |solid: &[(i32, i32)], start: (f64, f64), control, ready, is_there| Site {
+        match mode {
+            "riding" | "walking on a lift" | "pushed" => Site::with_a_lift(mode),
+            "ladder" => Site::with_a_ladder(),
+            _ => Site::still(mode),
+        }
+    }
+
+    /// One solid, and a body in it that will be in a mode.
+    fn new(
+        solid: &[(i32, i32)],
+        start: (f64, f64),
+        run: f64,
+        ready: f64,
+        is_there: fn(&Body) -> bool,
+    ) -> Site {
+        Site {
             mesh: Mesh::of(&[(0, Kind::Solid, grown(solid))]).unwrap(),
             traits: Vec::new(),
             movers: Vec::new(),
             tuning: Motion::default(),
             start: DVec2::new(start.0, start.1),
-            control,
+            control: Control {
+                run,
+                ..Control::default()
+            },
             ready,
             is_there,
-        };
-        let on_ground: fn(&Body) -> bool = |b| b.supported();
+        }
+    }
+
+    fn still(mode: &str) -> Site {
         let slides: fn(&Body) -> bool = |b| matches!(b.mode(), Mode::Surface(_)) && !b.supported();
-        let carried: fn(&Body) -> bool = |b| b.carrier().is_some();
-        let lift = |x: i32, y: i32, velocity| Mover {
-            path: Path {
-                pieces: vec![Piece {
-                    v0: velocity,
-                    ..Piece::default()
-                }],
-                period: None,
-            },
-            start: Some(0.0),
-            ..parked(&[(x, y - 1), (x + 30, y - 1), (x + 30, y), (x, y)])
-        };
+        let slope = [(0, 0), (50, 0), (0, 100)];
+        let wall = [(0, 0), (1, 0), (1, 90), (0, 90)];
+        let vee = [(-9, 9), (-9, -9), (9, -9), (9, 9), (0, -8)];
         match mode {
-            "air" => site(&floor, (0.0, 50.0), run(1.0), 0.5, |b| {
+            "air" => Site::new(&FLOOR, (0.0, 50.0), 1.0, 0.5, |b| {
                 matches!(b.mode(), Mode::Air(_))
             }),
-            "ground" => site(&floor, (0.0, 0.0), run(1.0), 0.5, on_ground),
-            "slide" => site(
-                &[(0, 0), (50, 0), (0, 100)],
-                (4.0, 96.0),
-                run(0.0),
-                1.0,
-                slides,
-            ),
-            "wall" => site(
-                &[(0, 0), (1, 0), (1, 90), (0, 90)],
-                (-0.5, 60.0),
-                run(1.0),
-                1.0,
-                slides,
-            ),
-            "wedge" => site(
-                &[(-9, 9), (-9, -9), (9, -9), (9, 9), (0, -8)],
-                (0.0, 4.0),
-                run(0.0),
-                3.0,
-                |b| matches!(b.mode(), Mode::Wedge(_)),
-            ),
-            "ladder" => {
-                let ladder = [(-2, 0), (2, 0), (2, 80), (-2, 80)];
-                let climbs = Control {
-                    up: true,
-                    ..run(0.0)
-                };
-                let ladder = (1, Kind::Region, grown(&ladder));
-                Site {
-                    mesh: Mesh::of(&[(0, Kind::Solid, grown(&floor)), ladder]).unwrap(),
-                    traits: vec![
-                        Traits::default(),
-                        Traits {
-                            region: Region::Ladder,
-                            ..Traits::default()
-                        },
-                    ],
-                    ..site(&floor, (0.0, 3.0), climbs, 0.5, |b| b.climbing())
-                }
-            }
-            "riding" => Site {
-                movers: vec![lift(-15, 20, DVec2::new(0.0, 2.0))],
-                ..site(&floor, (0.0, 21.0), run(0.0), 1.0, carried)
-            },
-            "walking on a lift" => Site {
-                movers: vec![lift(-15, 20, DVec2::new(1.0, 2.0))],
-                ..site(&floor, (-10.0, 21.0), run(1.0), 1.0, carried)
-            },
-            "pushed" => Site {
-                movers: vec![lift(-31, 1, DVec2::new(2.0, 0.0))],
-                ..site(&floor, (0.0, 0.0), run(0.0), 1.5, |b| {
-                    b.pushed_by().is_some()
-                })
-            },
+            "ground" => Site::new(&FLOOR, (0.0, 0.0), 1.0, 0.5, Body::supported),
+            "slide" => Site::new(&slope, (4.0, 96.0), 0.0, 1.0, slides),
+            "wall" => Site::new(&wall, (-0.5, 60.0), 1.0, 1.0, slides),
+            "wedge" => Site::new(&vee, (0.0, 4.0), 0.0, 3.0, |b| {
+                matches!(b.mode(), Mode::Wedge(_))
+            }),
             _ => unreachable!("one of MODES"),
+        }
+    }
+
+    fn with_a_ladder() -> Site {
+        let ladder = grown(&[(-2, 0), (2, 0), (2, 80), (-2, 80)]);
+        let climb = Traits {
+            region: Region::Ladder,
+            ..Traits::default()
+        };
+        Site {
+            mesh: Mesh::of(&[(0, Kind::Solid, grown(&FLOOR)), (1, Kind::Region, ladder)]).unwrap(),
+            traits: vec![Traits::default(), climb],
+            control: Control {
+                up: true,
+                ..Control::default()
+            },
+            ..Site::new(&FLOOR, (0.0, 3.0), 0.0, 0.5, Body::climbing)
+        }
+    }
+
+    fn with_a_lift(mode: &str) -> Site {
+        let carried: fn(&Body) -> bool = |b| b.carrier().is_some();
+        let (at, velocity, site) = match mode {
+            "riding" => (
+                (-15, 20),
+                DVec2::new(0.0, 2.0),
+                Site::new(&FLOOR, (0.0, 21.0), 0.0, 1.0, carried),
+            ),
+            "pushed" => (
+                (-31, 1),
+                DVec2::new(2.0, 0.0),
+                Site::new(&FLOOR, (0.0, 0.0), 0.0, 1.5, |b| b.pushed_by().is_some()),
+            ),
+            _ => (
+                (-15, 20),
+                DVec2::new(1.0, 2.0),
+                Site::new(&FLOOR, (-10.0, 21.0), 1.0, 1.0, carried),
+            ),
+        };
+        Site {
+            movers: vec![lift(at, velocity)],
+            ..site
         }
     }
 }
@@ -225,14 +226,22 @@ fn grown(outline: &[(i32, i32)]) -> Vec<ExpandedEdge> {
     expand(&corners, &Collider::hero())
 }
 
-/// A moving solid that waits.
-fn parked(outline: &[(i32, i32)]) -> Mover {
-    let mesh = Arc::new(Mesh::of(&[(2, Kind::Solid, grown(outline))]).unwrap());
+/// A platform 30 m long and 1 m thick, its upper left corner drawn at a place, that moves on and on.
+fn lift((x, y): (i32, i32), velocity: DVec2) -> Mover {
+    let outline = [(x, y - 1), (x + 30, y - 1), (x + 30, y), (x, y)];
+    let mesh = Arc::new(Mesh::of(&[(2, Kind::Solid, grown(&outline))]).unwrap());
+    let on = Piece {
+        v0: velocity,
+        ..Piece::default()
+    };
     Mover {
         stand: Arc::clone(&mesh),
         crouch: mesh,
-        path: Path::default(),
-        start: None,
+        path: Path {
+            pieces: vec![on],
+            period: None,
+        },
+        start: Some(0.0),
     }
 }
 
