@@ -39,32 +39,50 @@ impl Mesh {
     pub fn nearest_wall(&self, p: DVec2, near: Option<FaceId>) -> Option<Nearest> {
         let target = Point::snap(p)?;
         let start = self.locate(target.metres(), near)?;
-        let mut seen = BTreeSet::new();
-        let mut queue = BinaryHeap::new();
-        let mut entered = self.faces_at(start);
         let mut best: Option<(SquaredDistance, [Point; 2], EdgeId)> = None;
-        loop {
-            for e in entered.drain(..).flat_map(|face| self.sides(face)) {
-                if seen.insert(e.min(self.sym(e))) {
-                    let (a, b) = self.ends(e);
-                    let distance = SquaredDistance::to_segment(target, a, b);
-                    queue.push(Reverse((distance, [a.min(b), a.max(b)], e)));
-                }
+        let key = |e: EdgeId| {
+            let (a, b) = self.ends(e);
+            let distance = SquaredDistance::to_segment(target, a, b);
+            (distance, [a.min(b), a.max(b)])
+        };
+        self.outwards(start, key, |e, &(distance, ends)| {
+            if best.is_some_and(|best| distance > best.0) {
+                return true;
             }
-            let next = queue.pop().map(|Reverse(next)| next);
-            let (distance, ends, e) = match (next, best) {
-                (Some(next), Some(best)) if next.0 > best.0 => {
-                    return Some(self.wall(best, target));
-                }
-                (None, best) => return best.map(|best| self.wall(best, target)),
-                (Some(next), _) => next,
-            };
-            let both = [e, self.sym(e)];
-            if let Some(edge) = both.into_iter().find(|&e| self.blocks(e)) {
+            if let Some(edge) = [e, self.sym(e)].into_iter().find(|&e| self.blocks(e)) {
                 let wall = (distance, ends, edge);
                 best = Some(best.map_or(wall, |best| best.min(wall)));
             }
-            entered.extend(both.into_iter().filter_map(|e| self.left(e)));
+            false
+        });
+        best.map(|best| self.wall(best, target))
+    }
+
+    /// Shows edges from a place outwards, that with the smallest key first, until one is found to be enough: Dijkstra's search
+    /// over the faces. An edge is met when one of the faces beside it has been entered, so keys must grow with the distance.
+    pub(crate) fn outwards<K: Ord>(
+        &self,
+        start: Place,
+        key: impl Fn(EdgeId) -> K,
+        mut enough: impl FnMut(EdgeId, &K) -> bool,
+    ) {
+        let mut seen = BTreeSet::new();
+        let mut queue = BinaryHeap::new();
+        let mut entered = self.faces_at(start);
+        loop {
+            for e in entered.drain(..).flat_map(|face| self.sides(face)) {
+                let e = e.min(self.sym(e));
+                if seen.insert(e) {
+                    queue.push(Reverse((key(e), e)));
+                }
+            }
+            let Some(Reverse((key, e))) = queue.pop() else {
+                return;
+            };
+            if enough(e, &key) {
+                return;
+            }
+            entered.extend([e, self.sym(e)].into_iter().filter_map(|e| self.left(e)));
         }
     }
 

@@ -10,7 +10,6 @@ use super::track::{Track, delta};
 use super::vertex::{JOINT_STEPS, segment_at};
 use crate::geom::{Point, STEP};
 use crate::mesh::{EdgeId, SegmentId};
-use crate::tune::Motion;
 use glam::DVec2;
 
 /// How far a hit on a piece of a feature edge that rounding has displaced may lie from the feature edge itself, m.
@@ -18,7 +17,7 @@ const DISPLACED: f64 = 4.0 * STEP;
 
 impl Air {
     /// The first of: leaving the face, reaching a speed limit.
-    pub(super) fn next(&self, mesh: Ground, tuning: &Motion) -> Option<(f64, Next)> {
+    pub(super) fn next(&self, mesh: Ground) -> Option<(f64, Next)> {
         let mut best: Option<(f64, bool, EdgeId)> = None;
         for e in mesh.sides(self.face) {
             let blocks = mesh.blocks(e) && !self.falls_through(mesh, e);
@@ -39,7 +38,7 @@ impl Air {
                 (self.t0 + end, Next::Hit(e, end))
             }
             true => (
-                self.t0 + self.on_feature_edge(mesh, e, dt, tuning),
+                self.t0 + self.on_feature_edge(mesh, e, dt),
                 Next::Hit(e, dt),
             ),
             false => (self.t0 + dt, Next::Cross(e, dt)),
@@ -51,6 +50,16 @@ impl Air {
             .map(|l| l.0)
             .min_by(f64::total_cmp);
         Next::or_limit(left, limit)
+    }
+
+    /// The side over which the parabola leaves its face first, whatever that stops, and when, as a time after `t0`.
+    pub(super) fn way_out(&self, mesh: Ground) -> Option<(f64, EdgeId)> {
+        let leaves = mesh.sides(self.face).into_iter().filter_map(|e| {
+            let (a, b) = (mesh.point(mesh.origin(e)), mesh.point(mesh.dest(e)));
+            let (c, b, q) = self.distance(a, b);
+            exit(c, b, q, self.since).map(|at| (at, e))
+        });
+        leaves.min_by(|a, b| a.0.total_cmp(&b.0))
     }
 
     /// When the parabola leaves the face over its edge `e`, as a time after `t0`.
@@ -141,8 +150,8 @@ impl Air {
 
     /// The time of a hit on a piece of a feature edge is that on the feature edge itself: a piece that was cut lies up to
     /// half a step beside it, and so cuts elsewhere along it change nothing, nor does which of several collinear edges is hit.
-    fn on_feature_edge(&self, mesh: Ground, e: EdgeId, dt: f64, tuning: &Motion) -> f64 {
-        let Some(s) = segment_at(mesh, e, tuning.max_slope, |_| false) else {
+    fn on_feature_edge(&self, mesh: Ground, e: EdgeId, dt: f64) -> f64 {
+        let Some(s) = segment_at(mesh, e, |_| false) else {
             return dt;
         };
         let (c, b, q) = mesh.track(s).height(self.p0, self.v0, self.accel);
@@ -182,7 +191,7 @@ impl Body {
         if self.climb_onto(edge, terrain, trace) {
             return;
         }
-        match segment_at(mesh, edge, terrain.tuning.max_slope, |_| false) {
+        match segment_at(mesh, edge, |_| false) {
             Some(segment) => self.contact(segment, edge, terrain, trace),
             None => self.wedge(at, edge, terrain, trace),
         }
@@ -296,9 +305,7 @@ impl Body {
         if self.climbing {
             return self.climbs_off(track, speed, terrain.tuning);
         }
-        let carried = self
-            .frame
-            .map_or(DVec2::ZERO, |ride| ride.piece.velocity(self.time));
+        let carried = self.frame_piece().velocity(self.time);
         let v = track.tangent * speed + carried;
         let follows = self.frame_accel();
         let (x, y) = (

@@ -9,7 +9,6 @@
 use super::body::{Air, Body, Crushed, EventKind, Mode, Next, Size, SpawnError, Trace};
 use super::contact::Contact;
 use super::mover::{Piece, Ride};
-use super::roots::exit;
 use super::size::{clear_in_flight, free_face};
 use super::terrain::{Ground, Terrain};
 use super::vertex::JOINT_STEPS;
@@ -99,7 +98,7 @@ impl Beside {
         let mesh = self.ground(size, terrain);
         let found = match &self.contact {
             Some(contact) => contact.next(&self.flight, mesh),
-            None => self.flight.next(mesh, terrain.tuning),
+            None => self.flight.next(mesh),
         };
         let found = found.filter(|&(_, what)| !self.is_border(what, mesh));
         let node = self.frame.and_then(|ride| ride.until);
@@ -129,13 +128,7 @@ fn cast(mesh: Ground, from: FaceId, start: DVec2, end: DVec2) -> Option<FaceId> 
         ..Air::resting(start, from)
     };
     loop {
-        let leaves = mesh.sides(way.face).into_iter().filter_map(|e| {
-            let ends = [mesh.origin(e), mesh.dest(e)].map(|v| mesh.point(v));
-            let (c, b, q) = way.distance(ends[0], ends[1]);
-            exit(c, b, q, way.since).map(|at| (at, e))
-        });
-        let first = leaves.min_by(|a, b| a.0.total_cmp(&b.0));
-        let Some((at, edge)) = first.filter(|&(at, _)| at < 1.0) else {
+        let Some((at, edge)) = way.way_out(mesh).filter(|&(at, _)| at < 1.0) else {
             return Some(way.face);
         };
         if mesh.blocks(edge) {

@@ -5,7 +5,6 @@ use super::body::{Body, Mode, Size, Trace};
 use super::grip::Grip;
 use super::terrain::{Ground, Region, Terrain};
 use super::vertex::JOINT_STEPS;
-use super::wall::is_wall;
 use crate::geom::STEP;
 use crate::mesh::{EdgeId, FeatureId, SegmentId};
 
@@ -170,7 +169,7 @@ fn holds_on(body: &Body, mesh: Ground) -> Result<(), String> {
         Grip::Over => climbs < 0.0,
         Grip::Wall => false,
     };
-    let on_wall = is_wall(mesh.segment(on.segment), mesh.max_slope);
+    let on_wall = mesh.is_wall(on.segment);
     if broken || on.grip != Grip::None && (body.size() != Size::Stand || !on_wall) {
         return Err(format!("I2: cannot hold on like this: {on:?}"));
     }

@@ -155,7 +155,7 @@ impl Body {
         let segment = beside.contact.map(|c| c.segment);
         let segment = segment.or(beside.flight.touching[0])?;
         let (track, (q, _)) = (mesh.track(segment), self.seen_from(beside));
-        let mine = self.frame.map(|ride| ride.piece).unwrap_or_default();
+        let mine = self.frame_piece();
         let closes = track
             .normal
             .dot(beside.piece().velocity(now) - mine.velocity(now));
@@ -193,7 +193,7 @@ impl Body {
     /// The bounds of all contacts for a road in the present frame.
     fn bounds(&self, track: &Track) -> Vec<Bound> {
         let now = self.time;
-        let mine = self.frame.map(|ride| ride.piece).unwrap_or_default();
+        let mine = self.frame_piece();
         let entries = self.beside.iter().enumerate();
         entries
             .filter_map(|(i, b)| {

@@ -15,7 +15,7 @@ impl Body {
         };
         let stopped = on.against != 0.0 && on.u0 == 0.0 && on.accel == 0.0;
         let wall = surface_next(mesh, on.edge, on.heading(on.against)).filter(|_| stopped)?;
-        segment_at(mesh, wall, mesh.max_slope, |_| false)
+        segment_at(mesh, wall, |_| false)
     }
 
     /// At a vertex, exactly or as rounding goes. `spoke` leaves it, with the free face that the body comes from on its left;
@@ -119,7 +119,7 @@ impl Body {
     ) -> Option<Meeting> {
         let mesh = self.ground(terrain);
         let v = self.local_velocity();
-        let segment = segment_at(mesh, edge, terrain.tuning.max_slope, |_| false)?;
+        let segment = segment_at(mesh, edge, |_| false)?;
         let track = mesh.track(segment);
         let into = -track.normal.dot(v);
         // Along the edge and away from the vertex: with the free side on the left for the edge that starts there.

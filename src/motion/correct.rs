@@ -8,7 +8,6 @@ use super::track::Track;
 use super::vertex::{
     Bearing, Heading, Sector, ahead, behind, sector, segment_at, surface_next, turns_towards,
 };
-use super::wall::is_wall;
 use crate::mesh::{EdgeId, SegmentId};
 use glam::DVec2;
 
@@ -26,11 +25,7 @@ struct Rim {
 ///
 /// Distances are differences of parameters, which are exact where the body is on the grid: exactly the limit is within it.
 fn rim(mesh: Ground, e: EdgeId, track: &Track, sign: f64, s: f64, limit: f64) -> Option<Rim> {
-    let heading = if (sign > 0.0) == track.leftward_free {
-        Heading::Along
-    } else {
-        Heading::Against
-    };
+    let heading = Heading::of(sign, track);
     let same_line = |s: SegmentId| mesh.track(s).same_line(track);
     let rate = track.rate().abs();
     let mut e = e;
@@ -40,14 +35,13 @@ fn rim(mesh: Ground, e: EdgeId, track: &Track, sign: f64, s: f64, limit: f64) ->
             return None;
         }
         e = surface_next(mesh, e, heading)?;
-        let segment = segment_at(mesh, e, mesh.max_slope, same_line)?;
+        let segment = segment_at(mesh, e, same_line)?;
         if same_line(segment) {
             continue;
         }
         let wall = mesh.track(segment);
-        let along = (heading == Heading::Along) == wall.leftward_free;
-        let after = wall.heading(if along { 1.0 } else { -1.0 });
-        let opens = is_wall(mesh.segment(segment), mesh.max_slope)
+        let after = wall.heading(heading.sign(&wall));
+        let opens = mesh.is_wall(segment)
             && after.1 > 0
             && !turns_towards(track.heading(sign), after, heading);
         let distance = ahead.max(0.0) / rate;
@@ -75,7 +69,7 @@ impl Body {
         let (mesh, limit) = (self.ground(terrain), terrain.tuning.corner_correction);
         let (at, v) = (self.local_position(), self.local_velocity());
         let track = mesh.track(segment);
-        let is_ceiling = track.normal.y < 0.0 && !is_wall(mesh.segment(segment), mesh.max_slope);
+        let is_ceiling = track.normal.y < 0.0 && !mesh.is_wall(segment);
         if limit == 0.0 || v.y <= 0.0 || track.normal.dot(v) >= 0.0 || !is_ceiling {
             return false;
         }
@@ -93,7 +87,7 @@ impl Body {
         };
         // Flush with the wall above the corner, and not into it: it was only a touch.
         let touch = |rim: &Rim| {
-            let wall = Track::of(mesh.segment(rim.segment));
+            let wall = mesh.track(rim.segment);
             rim.distance == 0.0 && wall.normal.dot(v) >= 0.0
         };
         let Some(rim) = nearest.filter(|rim| !touch(rim)) else {
@@ -137,7 +131,7 @@ impl Body {
             }
             Sector::Solid(..) => {
                 let feature_edge = mesh.segment(rim.segment);
-                let wall = Track::of(feature_edge);
+                let wall = mesh.track(rim.segment);
                 let s = wall.parameter_at_joint(feature_edge, ceiling, vertex);
                 let (u, into) = (wall.tangent.dot(v), (-wall.normal.dot(v)).max(0.0));
                 self.settle(rim.segment, rim.wall, s, u, into, terrain, trace);
@@ -160,7 +154,7 @@ impl Body {
         let (at, v) = (self.local_position(), self.local_velocity());
         let track = mesh.track(segment);
         let comes = v.y <= 0.0 && v.x * track.normal.x < 0.0 && track.normal.dot(v) < 0.0;
-        if limit == 0.0 || !comes || !is_wall(mesh.segment(segment), mesh.max_slope) {
+        if limit == 0.0 || !comes || !mesh.is_wall(segment) {
             return false;
         }
         let Some(top) = top_above(mesh, edge, &track, at.y + limit) else {
@@ -172,7 +166,7 @@ impl Body {
             return false;
         }
         let feature_edge = mesh.segment(top.segment);
-        let ground = Track::of(feature_edge);
+        let ground = mesh.track(top.segment);
         let s = ground.parameter_at_joint(feature_edge, &top.wall, top.vertex);
         // Up a wall that leans the whole way counts; up an upright one that is the height, to the last bit.
         if (ground.position(s) - at).length() > limit {

@@ -9,13 +9,11 @@ use super::body::{Body, EventKind, Mode, Surface, Trace};
 use super::grip::Grip;
 use super::size::free_face;
 use super::terrain::{Ground, Terrain};
-use super::track::Track;
 use super::vertex::{JOINT_STEPS, segment_at, spokes, surface_next};
 use crate::geom::{Point, STEP};
 use crate::mesh::{EdgeId, FaceId, Place, Segment, SegmentId};
 use glam::DVec2;
 use std::cmp::Ordering;
-use std::collections::{BTreeSet, BinaryHeap};
 
 /// What a body holds on to, in terms that outlive an edit; see [`Body::anchor`].
 #[derive(Clone, Debug, PartialEq)]
@@ -102,13 +100,7 @@ impl Body {
                 self.refresh(terrain, trace);
             }
             _ => {
-                let face = self.face(&self.ground(terrain));
-                self.fly(
-                    self.local_position(),
-                    self.local_velocity(),
-                    face,
-                    [None; 2],
-                );
+                self.come_free(terrain);
                 self.go_home(terrain);
                 self.move_out(p, v, terrain, trace);
             }
@@ -226,7 +218,7 @@ impl Body {
         let face = ground
             .left(edge)
             .expect("a rim has a free face on its left");
-        let segment = segment_at(ground, edge, ground.max_slope, |_| false);
+        let segment = segment_at(ground, edge, |_| false);
         let depth = (at - p).length();
         self.rising = false;
         self.fly(at, v, face, [segment, None]);
@@ -262,16 +254,17 @@ fn on_line(ground: Ground, on: &Surface, s: f64) -> Option<(EdgeId, SegmentId)> 
         ground.blocks(e) && a.min(b) - reach <= s && s <= a.max(b) + reach
     };
     let mut found = None;
-    outwards(ground, p, DVec2::ZERO, |e, distance| {
-        if distance > reach {
+    let nearness = |e: EdgeId| Nearness::of(ground, e, p, DVec2::ZERO);
+    ground.outwards(ground.locate(p, None)?, nearness, |e, near| {
+        if near.distance > reach {
             return true;
         }
-        let same_line = |s: SegmentId| Track::of(ground.segment(s)).same_line(&on.track);
+        let same_line = |s: SegmentId| ground.track(s).same_line(&on.track);
         found = [e, ground.sym(e)]
             .into_iter()
             .filter(|&e| holds(e))
             .find_map(|e| {
-                let segment = segment_at(ground, e, ground.max_slope, same_line)?;
+                let segment = segment_at(ground, e, same_line)?;
                 same_line(segment).then_some((e, segment))
             });
         found.is_some()
@@ -283,7 +276,8 @@ fn on_line(ground: Ground, on: &Surface, s: f64) -> Option<(EdgeId, SegmentId)> 
 /// ones the higher one, then the one that the velocity leads to.
 fn nearest_rim(ground: Ground, p: DVec2, v: DVec2) -> Option<(EdgeId, DVec2)> {
     let mut found = None;
-    outwards(ground, p, v, |e, _| {
+    let nearness = |e: EdgeId| Nearness::of(ground, e, p, v);
+    ground.outwards(ground.locate(p, None)?, nearness, |e, _| {
         let rim = [e, ground.sym(e)]
             .into_iter()
             .find(|&e| ground.mesh.blocks(e));
@@ -302,66 +296,43 @@ fn nearest_on(ground: Ground, e: EdgeId, p: DVec2) -> DVec2 {
     from + along * share.clamp(0.0, 1.0)
 }
 
-/// Shows edges in the order of their distance from a position, until one is found to be enough: Dijkstra's search over faces.
-fn outwards(ground: Ground, p: DVec2, v: DVec2, mut enough: impl FnMut(EdgeId, f64) -> bool) {
-    let mut open = BinaryHeap::new();
-    let mut seen = BTreeSet::new();
-    let mut push = |open: &mut BinaryHeap<Near>, e: EdgeId| {
-        let e = e.min(ground.sym(e));
-        if seen.insert(e) {
-            let at = nearest_on(ground, e, p);
-            let (distance, leads) = ((at - p).length(), (at - p).dot(v));
-            open.push(Near {
-                distance,
-                height: at.y,
-                leads,
-                ends: [ground.origin(e), ground.dest(e)].map(|v| ground.point(v)),
-                edge: e,
-            });
-        }
-    };
-    match ground.locate(p, None) {
-        None => {}
-        Some(Place::Face(f)) => ground.sides(f).into_iter().for_each(|e| push(&mut open, e)),
-        Some(Place::Edge(e)) => push(&mut open, e),
-        Some(Place::Vertex(w)) => spokes(ground, w).for_each(|e| push(&mut open, e)),
-    }
-    while let Some(Near { distance, edge, .. }) = open.pop() {
-        if enough(edge, distance) {
-            return;
-        }
-        let sides = [edge, ground.sym(edge)].map(|e| ground.left(e));
-        for f in sides.into_iter().flatten() {
-            ground.sides(f).into_iter().for_each(|e| push(&mut open, e));
-        }
-    }
-}
-
-/// An edge and how near it is; nearer ones are greater.
+/// How near an edge is to a position: smaller comes first. Of equally near edges that with the higher point, then that to which
+/// a velocity leads.
 #[derive(PartialEq)]
-struct Near {
+struct Nearness {
     distance: f64,
     height: f64,
     leads: f64,
     /// Tells apart what is equally near, the same way after any sequence of edits.
     ends: [Point; 2],
-    edge: EdgeId,
 }
 
-impl Eq for Near {}
-
-impl Ord for Near {
-    fn cmp(&self, other: &Near) -> Ordering {
-        let by = |a: f64, b: f64| a.total_cmp(&b);
-        by(other.distance, self.distance)
-            .then(by(self.height, other.height))
-            .then(by(self.leads, other.leads))
-            .then(other.ends.cmp(&self.ends))
+impl Nearness {
+    fn of(ground: Ground, e: EdgeId, p: DVec2, v: DVec2) -> Nearness {
+        let at = nearest_on(ground, e, p);
+        Nearness {
+            distance: (at - p).length(),
+            height: at.y,
+            leads: (at - p).dot(v),
+            ends: [ground.origin(e), ground.dest(e)].map(|v| ground.point(v)),
+        }
     }
 }
 
-impl PartialOrd for Near {
-    fn partial_cmp(&self, other: &Near) -> Option<Ordering> {
+impl Eq for Nearness {}
+
+impl Ord for Nearness {
+    fn cmp(&self, other: &Nearness) -> Ordering {
+        let by = |a: f64, b: f64| a.total_cmp(&b);
+        by(self.distance, other.distance)
+            .then(by(other.height, self.height))
+            .then(by(other.leads, self.leads))
+            .then(self.ends.cmp(&other.ends))
+    }
+}
+
+impl PartialOrd for Nearness {
+    fn partial_cmp(&self, other: &Nearness) -> Option<Ordering> {
         Some(self.cmp(other))
     }
 }

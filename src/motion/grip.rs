@@ -8,7 +8,6 @@ use super::joint::{Joint, Onward};
 use super::law::Law;
 use super::ledge::{Beyond, beyond, top_above};
 use super::terrain::{Ground, Terrain};
-use super::track::walkable;
 use crate::geom::STEP;
 use crate::mesh::EdgeId;
 use crate::tune::Motion;
@@ -133,7 +132,7 @@ impl Body {
     ) -> bool {
         let mesh = self.ground(terrain);
         let grip = self.grip();
-        let ground = |on: &Onward| walkable(mesh.segment(on.segment), mesh.max_slope);
+        let ground = |on: &Onward| mesh.walkable(on.segment);
         if grip == Grip::None
             || joint.before.1 < 0 && onward.is_some_and(|on| on.towards && ground(on))
         {

@@ -22,7 +22,7 @@ impl Body {
         }
         let joint = Joint::ahead(on, on.against, 0.0, mesh);
         let onward = joint.next.and_then(|next| {
-            let segment = segment_at(mesh, next, terrain.tuning.max_slope, |_| false)?;
+            let segment = segment_at(mesh, next, |_| false)?;
             Some(joint.onto(mesh, next, segment))
         });
         let is_held = match self.ground_ahead(&joint, onward.as_ref(), terrain) {

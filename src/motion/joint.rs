@@ -4,7 +4,7 @@ use super::body::{Body, EventKind, Mode, Size, Surface, Trace};
 use super::footing::Footing;
 use super::grip::Grip;
 use super::terrain::{Concave, Ground, Terrain};
-use super::track::{Track, cross, dot, walkable};
+use super::track::{Track, cross, dot};
 use super::vertex::{
     Bearing, Heading, JOINT_STEPS, Sector, ahead, behind, bridge, is_lip, sector, segment_at,
     surface_next, turns_towards,
@@ -94,8 +94,7 @@ impl Joint {
     /// The way on along an edge of the surface, as part of a feature edge.
     pub(super) fn onto(&self, mesh: Ground, edge: EdgeId, segment: SegmentId) -> Onward {
         let track = mesh.track(segment);
-        let grows = (self.heading == Heading::Along) == track.leftward_free;
-        let sign = if grows { 1.0 } else { -1.0 };
+        let sign = self.heading.sign(&track);
         let after = track.heading(sign);
         let vertex = mesh.point(behind(mesh, edge, self.heading));
         Onward {
@@ -175,9 +174,7 @@ impl Body {
         let heading = on.heading(sign);
         let next = surface_next(mesh, on.edge, heading);
         let same_line = |s: SegmentId| s == on.segment || mesh.track(s).same_line(&on.track);
-        let onward = next.and_then(|next| {
-            segment_at(mesh, next, terrain.tuning.max_slope, same_line).map(|s| (next, s))
-        });
+        let onward = next.and_then(|next| segment_at(mesh, next, same_line).map(|s| (next, s)));
         let alike = |s: SegmentId| {
             let [from, to] = [on.segment, s].map(|s| mesh.segment(s).feature);
             !on.walkable || terrain.alike(from, to)
@@ -246,14 +243,13 @@ impl Body {
         terrain: &Terrain,
     ) -> Option<Onward> {
         let mesh = self.ground(terrain);
-        let steepest = terrain.tuning.max_slope;
         let next = onward.map(|on| (on.edge, on.segment));
         let next = next.filter(|&(_, s)| mesh.walkable(s));
         let (edge, s) = match next {
             Some((_, s)) if !is_lip(mesh.segment(s)) => next,
             _ => {
                 let home = mesh.origin(joint.beside);
-                bridge(mesh, home, joint.next, joint.heading, steepest).or(next)
+                bridge(mesh, home, joint.next, joint.heading).or(next)
             }
         }?;
         Some(joint.onto(mesh, edge, s))
@@ -312,9 +308,9 @@ impl Body {
         u0: f64,
         terrain: &Terrain,
     ) {
-        let feature_edge = self.ground(terrain).mesh.segment(segment);
-        let place = (segment, Track::of(feature_edge), edge);
-        let walks = walkable(feature_edge, terrain.tuning.max_slope);
+        let mesh = self.ground(terrain);
+        let place = (segment, mesh.track(segment), edge);
+        let walks = mesh.walkable(segment);
         self.mode = Mode::Surface(Surface::new(self.time, place, s0, u0, walks));
     }
 

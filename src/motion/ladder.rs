@@ -149,13 +149,7 @@ impl Body {
         if let Mode::Surface(on) = &self.mode
             && !self.ground(terrain).blocks(on.edge)
         {
-            let face = self.face(&self.ground(terrain));
-            self.fly(
-                self.local_position(),
-                self.local_velocity(),
-                face,
-                [None; 2],
-            );
+            self.come_free(terrain);
         }
         self.log(EventKind::LetGo, trace);
     }
@@ -222,7 +216,7 @@ impl Body {
         if !self.climbing || plain.mesh.blocks(border) || !plain.is_one_way(floor) {
             return false;
         }
-        let Some(segment) = segment_at(plain, floor, plain.max_slope, |_| false) else {
+        let Some(segment) = segment_at(plain, floor, |_| false) else {
             return false;
         };
         self.stand_up_on(floor, segment, terrain, trace);
@@ -237,7 +231,7 @@ impl Body {
         terrain: &Terrain,
         trace: &mut Trace,
     ) {
-        let track = Track::of(self.ground(terrain).mesh.segment(segment));
+        let track = self.ground(terrain).track(segment);
         let s = track.parameter(self.local_position());
         let along = track.tangent.dot(self.local_velocity());
         self.climbing = false;
@@ -300,7 +294,7 @@ fn ground_beyond(joint: &Joint, mesh: Ground) -> Option<(EdgeId, SegmentId)> {
     });
     let mut edges = onward.map(|out| if forward > 0 { out } else { plain.sym(out) });
     edges.find_map(|e| {
-        let found = segment_at(plain, e, plain.max_slope, |_| false).filter(|_| plain.blocks(e))?;
+        let found = segment_at(plain, e, |_| false).filter(|_| plain.blocks(e))?;
         plain.walkable(found).then_some((e, found))
     })
 }

@@ -2,9 +2,8 @@
 
 use super::body::Surface;
 use super::terrain::Ground;
-use super::track::{Axis, Track, walkable};
+use super::track::{Axis, Track};
 use super::vertex::{Heading, ahead, bridge, segment_at, surface_next, turns_towards};
-use super::wall::is_wall;
 use crate::geom::Point;
 use crate::mesh::{EdgeId, SegmentId};
 
@@ -21,32 +20,28 @@ pub enum Beyond {
 
 /// Looks beyond the vertex ahead on an edge of a wall. Lips of rounding between a wall and its top are looked past.
 pub fn beyond(mesh: Ground, e: EdgeId, heading: Heading, track: &Track) -> Beyond {
-    let max_slope = mesh.max_slope;
-    let same_line = |s: SegmentId| Track::of(mesh.segment(s)).same_line(track);
+    let same_line = |s: SegmentId| mesh.track(s).same_line(track);
     let onward = surface_next(mesh, e, heading)
-        .and_then(|next| Some((next, segment_at(mesh, next, max_slope, same_line)?)));
+        .and_then(|next| Some((next, segment_at(mesh, next, same_line)?)));
     let Some((next, s)) = onward else {
         return Beyond::End;
     };
-    let directed = |track: &Track| {
-        let along = (heading == Heading::Along) == track.leftward_free;
-        track.heading(if along { 1.0 } else { -1.0 })
-    };
-    let (before, after) = (directed(track), directed(&Track::of(mesh.segment(s))));
+    let directed = |track: &Track| track.heading(heading.sign(track));
+    let (before, after) = (directed(track), directed(&mesh.track(s)));
     if same_line(s) {
         return Beyond::Wall(next, s);
     }
     if turns_towards(before, after, heading) {
         return Beyond::End;
     }
-    if walkable(mesh.segment(s), max_slope) {
+    if mesh.walkable(s) {
         return if before.1 > 0 {
             Beyond::Top(next, s)
         } else {
             Beyond::End
         };
     }
-    if is_wall(mesh.segment(s), max_slope) {
+    if mesh.is_wall(s) {
         let goes_on = before.1.signum() == after.1.signum();
         return if goes_on {
             Beyond::Wall(next, s)
@@ -54,13 +49,7 @@ pub fn beyond(mesh: Ground, e: EdgeId, heading: Heading, track: &Track) -> Beyon
             Beyond::End
         };
     }
-    match bridge(
-        mesh,
-        ahead(mesh, e, heading),
-        Some(next),
-        heading,
-        max_slope,
-    ) {
+    match bridge(mesh, ahead(mesh, e, heading), Some(next), heading) {
         Some((edge, s)) if before.1 > 0 => Beyond::Top(edge, s),
         _ => Beyond::End,
     }
@@ -82,11 +71,7 @@ pub struct Top {
 
 /// The ground on top of the wall that `e` is an edge of, if the wall ends there and no higher than `highest`, m.
 pub fn top_above(mesh: Ground, e: EdgeId, track: &Track, highest: f64) -> Option<Top> {
-    let heading = if (track.tangent.y > 0.0) == track.leftward_free {
-        Heading::Along
-    } else {
-        Heading::Against
-    };
+    let heading = Heading::of(track.tangent.y, track);
     let (mut e, mut wall) = (e, *track);
     // Each stretch of wall leads further up, so this ends.
     loop {
@@ -96,7 +81,7 @@ pub fn top_above(mesh: Ground, e: EdgeId, track: &Track, highest: f64) -> Option
             return None;
         }
         match beyond(mesh, e, heading, &wall) {
-            Beyond::Wall(next, s) => (e, wall) = (next, Track::of(mesh.segment(s))),
+            Beyond::Wall(next, s) => (e, wall) = (next, mesh.track(s)),
             Beyond::Top(edge, segment) => {
                 return Some(Top {
                     edge,
@@ -127,9 +112,8 @@ impl Surface {
             < s
         {
             edge = surface_next(mesh, edge, heading)?;
-            let same_line =
-                |s: SegmentId| s == segment || Track::of(mesh.segment(s)).same_line(&self.track);
-            let next = segment_at(mesh, edge, mesh.max_slope, same_line)?;
+            let same_line = |s: SegmentId| s == segment || mesh.track(s).same_line(&self.track);
+            let next = segment_at(mesh, edge, same_line)?;
             if !same_line(next) {
                 return None;
             }

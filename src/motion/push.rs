@@ -6,9 +6,9 @@ use super::contact::Contact;
 use super::grip::Grip;
 use super::joint::{Joint, Onward};
 use super::terrain::{Ground, Terrain};
-use super::track::{Track, walkable};
+use super::track::Track;
 use super::vertex::{
-    Bearing, Heading, JOINT_STEPS, Sector, fan_ends, sector, segment_at, surface_next,
+    Bearing, Heading, JOINT_STEPS, Sector, face_towards, fan_ends, sector, segment_at, surface_next,
 };
 use crate::geom::STEP;
 use crate::mesh::{EdgeId, SegmentId};
@@ -20,7 +20,7 @@ impl Body {
     pub(super) fn struck(&mut self, i: usize, edge: EdgeId, terrain: &Terrain, trace: &mut Trace) {
         let t = terrain.tuning;
         let mesh = self.beside[i].ground(self.size, terrain);
-        let Some(segment) = segment_at(mesh, edge, t.max_slope, |_| false) else {
+        let Some(segment) = segment_at(mesh, edge, |_| false) else {
             return self.crush(terrain, trace);
         };
         let track = mesh.track(segment);
@@ -32,7 +32,7 @@ impl Body {
         let Mode::Surface(on) = &self.mode else {
             return;
         };
-        let onto = walkable(mesh.segment(segment), t.max_slope);
+        let onto = mesh.walkable(segment);
         let (walks, below) = (on.walkable, on.clone());
         if walks && !onto && self.passes_lip(i, terrain) {
             return;
@@ -132,7 +132,7 @@ impl Body {
 
     /// Begins a contact.
     fn touch(&mut self, i: usize, contact: Contact, into: f64, trace: &mut Trace, mesh: Ground) {
-        let mine = self.frame.map(|ride| ride.piece).unwrap_or_default();
+        let mine = self.frame_piece();
         let beside = &mut self.beside[i];
         let apart = beside.piece().velocity(self.time) - mine.velocity(self.time);
         let kind = match beside.mover() {
@@ -155,7 +155,7 @@ impl Body {
     /// At an end of the mesh edge that presses: on along the same line, round a corner that presses too, or past its end. True if
     /// the motion of the body does not change.
     pub(super) fn slide_past(&mut self, i: usize, terrain: &Terrain, trace: &mut Trace) -> bool {
-        let (now, size, t) = (self.time, self.size, terrain.tuning);
+        let (now, size, _t) = (self.time, self.size, terrain.tuning);
         let (_, w) = self.seen_from(&self.beside[i]);
         let beside = &mut self.beside[i];
         let mesh = beside.ground(size, terrain);
@@ -165,13 +165,10 @@ impl Body {
         let moves = contact.track.tangent.dot(w);
         let turns = contact.track.tangent.dot(beside.flight.accel);
         let sign = if moves != 0.0 { moves } else { turns };
-        let heading = match (sign > 0.0) == contact.track.leftward_free {
-            true => Heading::Along,
-            false => Heading::Against,
-        };
+        let heading = Heading::of(sign, &contact.track);
         let next = surface_next(mesh, contact.edge, heading);
         let same = |s: SegmentId| s == contact.segment || mesh.track(s).same_line(&contact.track);
-        let next = next.and_then(|e| Some((e, segment_at(mesh, e, t.max_slope, same)?)));
+        let next = next.and_then(|e| Some((e, segment_at(mesh, e, same)?)));
         if let Some((next, s)) = next.filter(|&(_, s)| same(s)) {
             (contact.edge, contact.segment) = (next, s);
             beside.contact = Some(contact);
@@ -204,10 +201,7 @@ impl Body {
                     d: outwards,
                     then: contact.track.normal,
                 };
-                let face = match sector(mesh, spoke, bearing) {
-                    Sector::Free(face) => Some(face),
-                    Sector::Solid(..) => mesh.left(spoke),
-                };
+                let face = face_towards(mesh, spoke, bearing);
                 beside.flight.face = face.unwrap_or(beside.flight.face);
                 beside.flight.touching = [None; 2];
                 (beside.contact, beside.of) = (None, None);
@@ -279,9 +273,9 @@ impl Body {
         terrain: &Terrain,
         trace: &mut Trace,
     ) {
-        let t = terrain.tuning;
+        let _t = terrain.tuning;
         let mesh = self.beside[i].ground(self.size, terrain);
-        let segment = segment_at(mesh, edge, t.max_slope, |_| false);
+        let segment = segment_at(mesh, edge, |_| false);
         let Some((segment, [a, b])) = segment.zip(self.sides_of_wedge(terrain)) else {
             return self.crush(terrain, trace);
         };
@@ -297,7 +291,7 @@ impl Body {
         let blocked: Vec<Surface> = blocked.collect();
         match &blocked[..] {
             [] => {
-                let onto = walkable(mesh.segment(segment), t.max_slope);
+                let onto = mesh.walkable(segment);
                 let (s, u) = (track.parameter(q), track.tangent.dot(w));
                 self.board(
                     i,
@@ -341,9 +335,9 @@ impl Body {
             .into_iter()
             .min_by(|a, b| distance(a).total_cmp(&distance(b)))?;
         let surface = |edge: EdgeId| {
-            let segment = segment_at(mesh, edge, mesh.max_slope, |_| false)?;
+            let segment = segment_at(mesh, edge, |_| false)?;
             let track = mesh.track(segment);
-            let walks = walkable(mesh.segment(segment), mesh.max_slope);
+            let walks = mesh.walkable(segment);
             let s = track.parameter(wedge.at);
             Some(Surface::new(
                 self.time,

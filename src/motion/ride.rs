@@ -8,9 +8,8 @@ use super::body::{Air, Body, EventKind, Mode, Surface, Trace};
 use super::grip::Grip;
 use super::joint::Joint;
 use super::law;
-use super::mover::Ride;
+use super::mover::{Piece, Ride};
 use super::terrain::{Ground, Terrain};
-use super::track::{Track, walkable};
 use super::vertex::{JOINT_STEPS, segment_at, spokes};
 use crate::geom::STEP;
 use crate::mesh::{EdgeId, FaceId, SegmentId};
@@ -107,9 +106,14 @@ impl Body {
         }
     }
 
+    /// The motion of what carries the body: rest for the level.
+    pub(super) fn frame_piece(&self) -> Piece {
+        self.frame.map(|ride| ride.piece).unwrap_or_default()
+    }
+
     /// The acceleration of what carries the body, m/s^2.
     pub(super) fn frame_accel(&self) -> DVec2 {
-        self.frame.map_or(DVec2::ZERO, |ride| ride.piece.accel)
+        self.frame_piece().accel
     }
 
     /// The velocity that a jump gets from what carries the body beyond the present one: what it had before it slowed down, for
@@ -163,7 +167,7 @@ impl Body {
                 continue;
             };
             let next = mesh.segment(segment);
-            let track = Track::of(next);
+            let track = mesh.track(segment);
             let sign = (dx * track.tangent.x).signum();
             let bends_away = track.normal.dot(before) > ROUNDING;
             let follows =
@@ -184,9 +188,7 @@ impl Body {
 
     /// Whether two frames part where their grounds meet.
     fn parts_from(&self, other: &Beside, normal: DVec2) -> bool {
-        let mine = self
-            .frame
-            .map_or(DVec2::ZERO, |ride| ride.piece.velocity(self.time));
+        let mine = self.frame_piece().velocity(self.time);
         let apart = mine - other.piece().velocity(self.time);
         normal.dot(apart) > ROUNDING * apart.length()
     }
@@ -237,8 +239,8 @@ fn ground_near(mesh: Ground, face: FaceId, q: DVec2, dx: f64) -> Option<(EdgeId,
     let edges = about.flat_map(|side| spokes(mesh, mesh.origin(side)));
     let sides = edges.flat_map(|e| [e, mesh.sym(e)]);
     let found = sides.filter(|&e| mesh.blocks(e)).filter_map(|e| {
-        let segment = segment_at(mesh, e, mesh.max_slope, |_| false)?;
-        if !walkable(mesh.segment(segment), mesh.max_slope) {
+        let segment = segment_at(mesh, e, |_| false)?;
+        if !mesh.walkable(segment) {
             return None;
         }
         let track = mesh.track(segment);

@@ -1,10 +1,9 @@
 //! Changes of size: allowed iff the mesh of the new size says that the place is free. They never shift a body.
 
 use super::body::{Air, Body, EventKind, Mode, Next, Size, SpawnError, Surface, Trace};
-use super::roots::exit;
 use super::terrain::{Ground, Terrain};
 use super::track::{Track, delta};
-use super::vertex::{Bearing, JOINT_STEPS, Sector, sector, spokes};
+use super::vertex::{Bearing, JOINT_STEPS, Sector, face_towards, sector, spokes};
 use crate::geom::{Point, STEP};
 use crate::mesh::{EdgeId, FaceId, Kind, Place, SegmentId, VertexId};
 use glam::DVec2;
@@ -31,13 +30,10 @@ pub(super) fn free_face(
             let mut sides = front.into_iter().chain(sides);
             sides.find_map(|e| free(mesh.left(e)))
         }
-        Place::Vertex(w) if one_way_spoke(mesh, w).is_some() => {
-            one_way_spoke(mesh, w).and_then(|e| match sector(mesh, e, Bearing::of(v, accel)) {
-                Sector::Free(f) => Some(f),
-                Sector::Solid(..) => mesh.left(e),
-            })
-        }
         Place::Vertex(w) => {
+            if let Some(e) = one_way_spoke(mesh, w) {
+                return face_towards(mesh, e, Bearing::of(v, accel)).ok_or(SpawnError::Solid);
+            }
             let mut fans = spokes(mesh, w).filter(|&e| free(mesh.left(e)).is_some());
             let first = fans.next();
             let towards = first.into_iter().chain(fans).find_map(|e| {
@@ -244,21 +240,20 @@ impl Body {
 
 /// When a parabola comes out of the solids of a mesh: a walk through its solid faces. Not after `until`.
 pub(super) fn clear_in_flight(air: &Air, now: f64, until: f64, mesh: Ground) -> Option<f64> {
-    let Place::Face(mut face) = mesh.locate(air.position(now), None)? else {
+    let Place::Face(face) = mesh.locate(air.position(now), None)? else {
         return None;
     };
-    let mut since = now - air.t0;
-    while air.t0 + since < until {
-        let leaves = mesh.sides(face).into_iter().filter_map(|e| {
-            let (a, b) = (mesh.point(mesh.origin(e)), mesh.point(mesh.dest(e)));
-            let (c, b, q) = air.distance(a, b);
-            exit(c, b, q, since).map(|at| (at, e))
-        });
-        let (at, e) = leaves.min_by(|a, b| a.0.total_cmp(&b.0))?;
-        face = mesh.left(mesh.sym(e))?;
-        since = at;
-        if !mesh.is_solid(face) {
-            return Some(air.t0 + since);
+    let mut way = Air {
+        face,
+        since: now - air.t0,
+        ..air.clone()
+    };
+    while way.t0 + way.since < until {
+        let (at, e) = way.way_out(mesh)?;
+        way.face = mesh.left(mesh.sym(e))?;
+        way.since = at;
+        if !mesh.is_solid(way.face) {
+            return Some(way.t0 + way.since);
         }
     }
     None

@@ -11,7 +11,6 @@
 use super::body::{Body, EventKind, Trace};
 use super::joint::{Joint, Onward};
 use super::terrain::{Ground, Terrain};
-use super::track::{Track, walkable};
 use super::vertex::{Bearing, Sector, sector, segment_at};
 use crate::geom::{Point, STEP, predicates::orient2d};
 use crate::mesh::{EdgeId, SegmentId, VertexId};
@@ -51,11 +50,11 @@ impl Body {
             lowest,
         };
         let found = match t.floor_snap > 0.0 {
-            true => plumb.ground(spoke, t.max_slope),
+            true => plumb.ground(spoke),
             false => None,
         };
         let below = |s: SegmentId| {
-            let track = Track::of(mesh.segment(s));
+            let track = mesh.track(s);
             track.position(track.parameter_at_x(vertex.x))
         };
         let found = found.filter(|&(_, s)| self.is_clear_to(below(s), terrain));
@@ -88,7 +87,7 @@ impl Body {
         terrain: &Terrain,
         trace: &mut Trace,
     ) {
-        let track = Track::of(self.ground(terrain).segment(segment));
+        let track = self.ground(terrain).track(segment);
         let sign = joint.forward() * track.tangent.x.signum();
         let s0 = track.parameter_at_x(from.x);
         self.put_on(edge, segment, s0, sign * joint.speed, terrain);
@@ -117,12 +116,11 @@ enum Below {
 impl Plumb<'_> {
     /// The walkable ground that the line meets first, not below its lowest point. `spoke` leaves the vertex where it starts,
     /// with a free face on its left.
-    fn ground(&self, spoke: EdgeId, max_slope: f64) -> Option<(EdgeId, SegmentId)> {
+    fn ground(&self, spoke: EdgeId) -> Option<(EdgeId, SegmentId)> {
         let mesh = self.mesh;
         let candidates = self.first_met(spoke)?.into_iter();
-        let feature_edges =
-            candidates.filter_map(|e| Some((e, segment_at(mesh, e, max_slope, |_| false)?)));
-        let mut ground = feature_edges.filter(|&(_, s)| walkable(mesh.segment(s), max_slope));
+        let feature_edges = candidates.filter_map(|e| Some((e, segment_at(mesh, e, |_| false)?)));
+        let mut ground = feature_edges.filter(|&(_, s)| mesh.walkable(s));
         // The solid is left of a -> b, below: the lowest point must not be above it.
         let within = |s: SegmentId| {
             let segment = mesh.segment(s);

@@ -13,7 +13,6 @@ use super::body::{Body, EventKind, Trace};
 use super::joint::Joint;
 use super::snap::in_steps;
 use super::terrain::{Ground, Terrain};
-use super::track::walkable;
 use super::vertex::{behind, bridge, segment_at, surface_next};
 use crate::mesh::{EdgeId, SegmentId};
 
@@ -29,7 +28,7 @@ impl Body {
         if limit == 0 || self.control.run * joint.forward() <= 0.0 {
             return false;
         }
-        let Some((edge, segment)) = top(joint, limit, t.max_slope, mesh) else {
+        let Some((edge, segment)) = top(joint, limit, mesh) else {
             return false;
         };
         let before = self.position().y;
@@ -45,28 +44,22 @@ impl Body {
 }
 
 /// The walkable ground at the top of a wall at most `limit` grid steps high.
-fn top(joint: &Joint, limit: i32, max_slope: f64, mesh: Ground) -> Option<(EdgeId, SegmentId)> {
+fn top(joint: &Joint, limit: i32, mesh: Ground) -> Option<(EdgeId, SegmentId)> {
     let heading = joint.heading;
     let height = |e| mesh.point(behind(mesh, e, heading)).y;
     let first = joint.next?;
     let highest = height(first) + limit;
-    let found = climb(joint, first, highest, max_slope, mesh)?;
+    let found = climb(joint, first, highest, mesh)?;
     (height(found.0) <= highest).then_some(found)
 }
 
 /// Up the border of free space to walkable ground, not beyond a height.
-fn climb(
-    joint: &Joint,
-    first: EdgeId,
-    highest: i32,
-    max_slope: f64,
-    mesh: Ground,
-) -> Option<(EdgeId, SegmentId)> {
+fn climb(joint: &Joint, first: EdgeId, highest: i32, mesh: Ground) -> Option<(EdgeId, SegmentId)> {
     let heading = joint.heading;
     let mut edge = first;
     for _ in 0..PIECES {
-        let segment = segment_at(mesh, edge, max_slope, |_| false)?;
-        if walkable(mesh.segment(segment), max_slope) {
+        let segment = segment_at(mesh, edge, |_| false)?;
+        if mesh.walkable(segment) {
             return Some((edge, segment));
         }
         let on = joint.onto(mesh, edge, segment);
@@ -74,7 +67,7 @@ fn climb(
         let from = behind(mesh, edge, heading);
         if !rises || mesh.point(from).y > highest {
             // At the top there may be a lip that rounding has left.
-            return bridge(mesh, from, Some(edge), heading, max_slope);
+            return bridge(mesh, from, Some(edge), heading);
         }
         edge = surface_next(mesh, edge, heading)?;
     }

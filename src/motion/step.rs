@@ -191,6 +191,17 @@ impl Body {
         });
     }
 
+    /// Goes into the air here and now, as fast as it is, from nothing that it would still touch.
+    pub(super) fn come_free(&mut self, terrain: &Terrain) {
+        let face = self.face(&self.ground(terrain));
+        self.fly(
+            self.local_position(),
+            self.local_velocity(),
+            face,
+            [None; 2],
+        );
+    }
+
     /// A jump, if one was asked for not too long ago and there is ground, or was not too long ago; else one from a wall.
     fn jump_if_asked(&mut self, terrain: &Terrain, trace: &mut Trace) {
         let t = terrain.tuning;
@@ -331,7 +342,7 @@ impl Body {
     pub(super) fn schedule(&mut self, terrain: &Terrain) {
         let mesh = self.ground(terrain);
         let found = match &self.mode {
-            Mode::Air(air) => air.next(mesh, terrain.tuning),
+            Mode::Air(air) => air.next(mesh),
             Mode::Surface(on) => on.next(mesh),
             Mode::Wedge(_) | Mode::Crushed(_) => None,
         };

@@ -33,7 +33,7 @@ impl Surface {
         let next = surface_next(mesh, self.edge, heading);
         let road = |s| mesh.track(s);
         let same_line = |s: SegmentId| s == self.segment || road(s).same_line(&self.track);
-        let next = next.and_then(|next| segment_at(mesh, next, mesh.max_slope, same_line));
+        let next = next.and_then(|next| segment_at(mesh, next, same_line));
         match next {
             Some(s) if !same_line(s) => self.track.parameter_at_joint(segment, &road(s), vertex),
             _ => self.track.parameter_of(vertex),
@@ -71,11 +71,7 @@ impl Surface {
 
     /// Along or against the mesh edges, whose left is free.
     pub(super) fn heading(&self, sign: f64) -> Heading {
-        if (sign > 0.0) == self.track.leftward_free {
-            Heading::Along
-        } else {
-            Heading::Against
-        }
+        Heading::of(sign, &self.track)
     }
 }
 

@@ -3,6 +3,7 @@
 use super::body::Size;
 use super::mover::Mover;
 use super::track::{Track, delta, walkable};
+use super::wall::is_wall;
 use crate::mesh::{EdgeId, FaceId, FeatureId, Kind, Mesh, Segment, SegmentId, Use};
 use crate::tune::Motion;
 use serde::{Deserialize, Serialize};
@@ -230,6 +231,11 @@ impl<'a> Ground<'a> {
     /// Whether a feature edge can be stood on.
     pub fn walkable(&self, s: SegmentId) -> bool {
         self.mesh.kind(s) != Kind::Region && walkable(self.mesh.segment(s), self.max_slope)
+    }
+
+    /// Whether a feature edge is a wall.
+    pub fn is_wall(&self, s: SegmentId) -> bool {
+        is_wall(self.mesh.segment(s), self.max_slope)
     }
 
     /// The road along a feature edge; that of a ladder's end is on its inside.

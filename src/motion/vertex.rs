@@ -2,9 +2,9 @@
 //! rounding leaves. Everything here is decided by topology and exact signs.
 
 use super::terrain::Ground;
-use super::track::{cross, delta, dot, walkable};
+use super::track::{Track, cross, delta, dot};
 use crate::geom::Point;
-use crate::mesh::{EdgeId, FaceId, Kind, Segment, SegmentId, VertexId};
+use crate::mesh::{EdgeId, FaceId, Segment, SegmentId, VertexId};
 use glam::DVec2;
 
 /// Rises, drops and gaps of at most this many grid steps between walkable edges count as joints: the one geometric
@@ -18,6 +18,24 @@ pub enum Heading {
     Along,
     /// Against the edges.
     Against,
+}
+
+impl Heading {
+    /// That of a motion along a road towards growing (1) or falling (-1) parameters.
+    pub fn of(sign: f64, track: &Track) -> Heading {
+        match (sign > 0.0) == track.leftward_free {
+            true => Heading::Along,
+            false => Heading::Against,
+        }
+    }
+
+    /// The sign of the parameter's change along a road.
+    pub fn sign(self, track: &Track) -> f64 {
+        match (self == Heading::Along) == track.leftward_free {
+            true => 1.0,
+            false => -1.0,
+        }
+    }
 }
 
 /// The vertex that an edge of a surface leads to.
@@ -68,7 +86,6 @@ pub fn surface_next(mesh: Ground, e: EdgeId, heading: Heading) -> Option<EdgeId>
 pub fn segment_at(
     mesh: Ground,
     e: EdgeId,
-    max_slope: f64,
     prefer: impl Fn(SegmentId) -> bool,
 ) -> Option<SegmentId> {
     let rank = |&s: &SegmentId| {
@@ -76,7 +93,7 @@ pub fn segment_at(
         let d = delta(segment.a, segment.b);
         (
             prefer(s),
-            mesh.kind(s) != Kind::Region && walkable(segment, max_slope),
+            mesh.walkable(s),
             mesh.drives(segment.feature),
             dot(d, d),
             std::cmp::Reverse((segment.feature, segment.source)),
@@ -196,6 +213,14 @@ pub fn sector(mesh: Ground, spoke: EdgeId, bearing: Bearing) -> Sector {
     }
 }
 
+/// The face that a bearing leads into from the origin of `spoke`; where it leads into the solid, the one on the left of that.
+pub fn face_towards(mesh: Ground, spoke: EdgeId, bearing: Bearing) -> Option<FaceId> {
+    match sector(mesh, spoke, bearing) {
+        Sector::Free(face) => Some(face),
+        Sector::Solid(..) => mesh.left(spoke),
+    }
+}
+
 /// Looks past the lips and slits that rounding leaves at a vertex: a walkable edge within [`JOINT_STEPS`] of it that
 /// goes on in the given direction, and its feature edge.
 ///
@@ -206,10 +231,9 @@ pub fn bridge(
     home: VertexId,
     next: Option<EdgeId>,
     heading: Heading,
-    max_slope: f64,
 ) -> Option<(EdgeId, SegmentId)> {
-    next.and_then(|next| along_surface(mesh, next, heading, max_slope, mesh.point(home)))
-        .or_else(|| across_slit(mesh, home, heading, max_slope))
+    next.and_then(|next| along_surface(mesh, next, heading, mesh.point(home)))
+        .or_else(|| across_slit(mesh, home, heading))
 }
 
 /// Whether a feature edge is no longer than a joint is wide: a walker passes over it if ground goes on beyond.
@@ -225,13 +249,12 @@ fn along_surface(
     mesh: Ground,
     next: EdgeId,
     heading: Heading,
-    max_slope: f64,
     home: Point,
 ) -> Option<(EdgeId, SegmentId)> {
     let mut e = next;
     // The box holds 25 grid points, and the surface passes each at most once on either side of a collapsed corridor.
     for _ in 0..50 {
-        let ground = walkable_at(mesh, e, max_slope).filter(|&s| !is_lip(mesh.segment(s)));
+        let ground = walkable_at(mesh, e).filter(|&s| !is_lip(mesh.segment(s)));
         if let Some(s) = ground {
             return Some((e, s));
         }
@@ -243,12 +266,7 @@ fn along_surface(
     None
 }
 
-fn across_slit(
-    mesh: Ground,
-    home: VertexId,
-    heading: Heading,
-    max_slope: f64,
-) -> Option<(EdgeId, SegmentId)> {
+fn across_slit(mesh: Ground, home: VertexId, heading: Heading) -> Option<(EdgeId, SegmentId)> {
     let from = mesh.point(home);
     let onward = |p: Point| {
         near(p, from)
@@ -270,7 +288,7 @@ fn across_slit(
     });
     let walkable = edges
         .filter(|&e| mesh.blocks(e))
-        .filter_map(|e| walkable_at(mesh, e, max_slope).map(|s| (e, s)));
+        .filter_map(|e| walkable_at(mesh, e).map(|s| (e, s)));
     walkable.min_by_key(|&(e, s)| {
         let w = mesh.point(behind(mesh, e, heading));
         (
@@ -282,8 +300,8 @@ fn across_slit(
     })
 }
 
-fn walkable_at(mesh: Ground, e: EdgeId, max_slope: f64) -> Option<SegmentId> {
-    segment_at(mesh, e, max_slope, |_| false).filter(|&s| mesh.walkable(s))
+fn walkable_at(mesh: Ground, e: EdgeId) -> Option<SegmentId> {
+    segment_at(mesh, e, |_| false).filter(|&s| mesh.walkable(s))
 }
 
 /// The edges out of a vertex, counter-clockwise.

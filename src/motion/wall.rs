@@ -55,8 +55,7 @@ impl Body {
             return None;
         };
         let mesh = self.ground(terrain);
-        is_wall(mesh.segment(on.segment), terrain.tuning.max_slope)
-            .then(|| on.track.normal.x.signum())
+        mesh.is_wall(on.segment).then(|| on.track.normal.x.signum())
     }
 
     /// On a wall that the stick pushes into, without the wish to fall fast.
