@@ -169,13 +169,14 @@ fn check_scenery(index: usize, scenery: &Scenery) -> Result<(), Flaw> {
     } = *scenery;
     check_point(&entity, "at", at)?;
     require(depth.abs() <= DEPTH_LIMIT, &entity, "depth", || {
+        let depth = shown(depth);
         format!("{depth} is outside -{DEPTH_LIMIT}..={DEPTH_LIMIT} m")
     })?;
     require(
         scale > 0.0 && scale <= SCALE_LIMIT,
         &entity,
         "scale",
-        || format!("{scale} is not above 0 and at most {SCALE_LIMIT}"),
+        || format!("{} is not above 0 and at most {SCALE_LIMIT}", shown(scale)),
     )
 }
 
@@ -189,15 +190,20 @@ fn check_coordinate(entity: &Entity, field: &str, value: f64) -> Result<(), Flaw
         format!("{value} is not a finite number")
     })?;
     require(value.abs() < COORDINATE_LIMIT, entity, field, || {
-        let value = if value.abs() < 1e9 {
-            value.to_string()
-        } else {
-            format!("{value:e}")
-        };
+        let value = shown(value);
         format!(
             "{value} is out of bounds: coordinates are between -{COORDINATE_LIMIT} and {COORDINATE_LIMIT} m"
         )
     })
+}
+
+/// A number as an error shows it: not with three hundred zeros.
+fn shown(value: f64) -> String {
+    if value.abs() < 1e9 || !value.is_finite() {
+        value.to_string()
+    } else {
+        format!("{value:e}")
+    }
 }
 
 fn require(

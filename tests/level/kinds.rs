@@ -163,6 +163,11 @@ const BAD_TRAITS: &[Change] = &[
         "8: feature \"floor\", conveyor: 101 is outside -100..=100 m/s",
     ),
     (
+        "-2.5",
+        "1e300",
+        "8: feature \"floor\", conveyor: 1e300 is outside -100..=100 m/s",
+    ),
+    (
         "Some(0.5)",
         "Some(-1)",
         "8: feature \"floor\", friction: -1 is outside 0..=10",
@@ -283,6 +288,11 @@ const BAD_MOVERS: &[Change] = &[
         "wait: 1.5",
         "wait: -1",
         "26: mover \"lift\", path[0].wait: -1 is outside 0..=3600 s",
+    ),
+    (
+        "seconds: 3",
+        "seconds: 1e300",
+        "27: mover \"lift\", path[1].seconds: 1e300 is outside 0.01..=3600 s: the way to the next stop takes some time",
     ),
     (
         "seconds: 3",

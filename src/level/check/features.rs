@@ -1,6 +1,6 @@
 //! The rules of single features: their outlines, and which fields go with which kind.
 
-use super::{CORNER_LIMIT, NAME_RULE, check_point, is_name, require};
+use super::{CORNER_LIMIT, NAME_RULE, check_point, is_name, require, shown};
 use crate::geom::{OutlineError, check_outline, check_polyline};
 use crate::level::{By, Entity, Feature, Flaw, Kind};
 use glam::DVec2;
@@ -111,7 +111,8 @@ fn check_traits(feature: &Feature, entity: &Entity) -> Result<(), Flaw> {
     let within = |value: f64, range: RangeInclusive<f64>, field: &str, unit: &str| {
         require(range.contains(&value), entity, field, || {
             format!(
-                "{value} is outside {}..={}{unit}",
+                "{} is outside {}..={}{unit}",
+                shown(value),
                 range.start(),
                 range.end()
             )

@@ -1,7 +1,7 @@
 //! The rules of terrain that moves.
 
 use super::features::{check_body, check_id};
-use super::{check_point, require};
+use super::{check_point, require, shown};
 use crate::level::{Entity, Feature, Flaw, Kind, Level, Mover, Repeat, Starts, Stop};
 use std::collections::BTreeMap;
 
@@ -54,19 +54,20 @@ fn check_path(mover: &Mover, entity: &Entity) -> Result<(), Flaw> {
             (0.0..=SECONDS_LIMIT).contains(&wait),
             entity,
             &field,
-            || format!("{wait} is outside 0..={SECONDS_LIMIT} s"),
+            || format!("{} is outside 0..={SECONDS_LIMIT} s", shown(wait)),
         )?;
         let field = format!("path[{i}].seconds");
         if goes_on(i) {
             let ok = (SECONDS_LEAST..=SECONDS_LIMIT).contains(&seconds);
             require(ok, entity, &field, || {
                 format!(
-                    "{seconds} is outside {SECONDS_LEAST}..={SECONDS_LIMIT} s: the way to the next stop takes some time"
+                    "{} is outside {SECONDS_LEAST}..={SECONDS_LIMIT} s: the way to the next stop takes some time",
+                    shown(seconds)
                 )
             })?;
         } else {
             require(seconds == 0.0, entity, &field, || {
-                format!("{seconds} s to nowhere: no stop follows this one")
+                format!("{} s to nowhere: no stop follows this one", shown(seconds))
             })?;
         }
     }
