@@ -155,11 +155,12 @@ impl Air {
             return dt;
         };
         let (c, b, q) = mesh.track(s).height(self.p0, self.v0, self.accel);
-        let moved =
-            |there: f64| (self.position(self.t0 + there) - self.position(self.t0 + dt)).length();
+        // The way between the two times, not the distance: a motion along the edge that turns comes back to where it was.
+        let speed = self.velocity(self.t0 + dt).length();
+        let way = |span: f64| (speed + 0.5 * self.accel.length() * span) * span;
         let c = if c >= -STEP { c.max(0.0) } else { c };
         exit(c, b, q, self.since)
-            .filter(|&there| moved(there) <= DISPLACED)
+            .filter(|&there| way((there - dt).abs()) <= DISPLACED)
             .unwrap_or(dt)
     }
 }

@@ -72,7 +72,7 @@ fn in_face(body: &Body, mesh: Ground) -> Result<(), String> {
         .into_iter()
         .any(|e| outside(e) > slack && displaced(e));
     for e in sides {
-        let may = displaced(e) || !mesh.blocks(e) && (touches_cut || behind_piece);
+        let may = displaced(e) || touches_cut || !mesh.blocks(e) && behind_piece;
         let outside = outside(e);
         if outside > slack && !(may && outside <= STEP) {
             return Err(format!(

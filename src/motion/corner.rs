@@ -89,7 +89,8 @@ impl Body {
         true
     }
 
-    /// One who climbs, between two edges that both lead back: he stops on the first, against the other.
+    /// One who climbs, between two edges that both lead back: he stops on one that he is not driven away from, against the
+    /// other.
     fn stop_at(
         &mut self,
         a: &Meeting,
@@ -99,6 +100,13 @@ impl Body {
         trace: &mut Trace,
     ) {
         let mesh = self.ground(terrain);
+        let stays = |m: &Meeting| {
+            (
+                m.struck && !self.climbs_off(&m.track, 0.0, terrain.tuning),
+                m.rank(),
+            )
+        };
+        let (a, b) = if stays(b) > stays(a) { (b, a) } else { (a, b) };
         let s = a
             .track
             .parameter_at_joint(mesh.segment(a.segment), &b.track, mesh.point(vertex));

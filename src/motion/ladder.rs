@@ -124,16 +124,18 @@ impl Body {
         self.rebase();
         let mesh = self.ground(terrain);
         let (p, v) = (self.local_position(), self.local_velocity());
+        let through = self.segment();
         match hold {
             Hold::Here => {}
-            Hold::Off => self.fly(p, v, self.face(&mesh), [self.segment(), None]),
+            Hold::Off => self.fly(p, v, self.face(&mesh), self.left_behind(terrain)),
             Hold::Below(face) => {
                 let e = self.edge().expect("it stands");
                 self.fly(beside(mesh, mesh.sym(e), p), v, face, [None; 2]);
             }
         }
         if let Mode::Air(air) = &mut self.mode {
-            (air.lock, air.through) = (None, None);
+            air.lock = None;
+            air.through = through.filter(|_| matches!(hold, Hold::Below(_)));
         }
         self.climbing = true;
         (self.rising, self.coyote_from, self.off_wall) = (false, None, None);

@@ -323,6 +323,14 @@ impl Body {
         }
     }
 
+    /// The feature edges that a flight from here leaves: what the body is on, or what wedges it.
+    pub(super) fn left_behind(&self, terrain: &Terrain) -> [Option<SegmentId>; 2] {
+        match self.sides_of_wedge(terrain) {
+            Some([a, b]) => [Some(a.segment), Some(b.segment)],
+            None => [self.segment(), None],
+        }
+    }
+
     /// The two surfaces that hold a wedged body, at rest on each of them.
     fn sides_of_wedge(&self, terrain: &Terrain) -> Option<[Surface; 2]> {
         let Mode::Wedge(wedge) = &self.mode else {

@@ -39,7 +39,9 @@ impl Body {
 
     /// After a change of the place that is no event of the motion, unless a ladder makes it one.
     pub(super) fn come_to_place(&mut self, terrain: &Terrain, trace: &mut Trace) {
-        if self.note_regions(terrain, trace) && self.minds_ladder(terrain) {
+        let news = self.note_regions(terrain, trace);
+        // Who has taken hold in one size may have changed to another, of which no ladder is in reach.
+        if (news || self.climbing) && self.minds_ladder(terrain) {
             self.rebase();
             self.refresh(terrain, trace);
         } else {

@@ -23,7 +23,9 @@ pub(super) fn free_face(
     }
     let free = |f: Option<FaceId>| f.filter(|&f| !mesh.is_solid(f));
     let found = match mesh.locate(p, None).ok_or(SpawnError::Outside)? {
-        Place::Face(f) => free(Some(f)).or_else(|| beside(mesh, f, p)),
+        Place::Face(f) => free(Some(f))
+            .or_else(|| beside(mesh, f, p))
+            .or_else(|| about(mesh, corner_near(mesh, f, p)?, Bearing::of(v, accel))),
         Place::Edge(e) => {
             let sides = [e, mesh.sym(e)];
             let front = sides.into_iter().find(|&e| mesh.blocks(e));
@@ -34,18 +36,33 @@ pub(super) fn free_face(
             if let Some(e) = one_way_spoke(mesh, w) {
                 return face_towards(mesh, e, Bearing::of(v, accel)).ok_or(SpawnError::Solid);
             }
-            let mut fans = spokes(mesh, w).filter(|&e| free(mesh.left(e)).is_some());
-            let first = fans.next();
-            let towards = first.into_iter().chain(fans).find_map(|e| {
-                match sector(mesh, e, Bearing::of(v, accel)) {
-                    Sector::Free(f) => Some(f),
-                    Sector::Solid(..) => None,
-                }
-            });
-            towards.or_else(|| first.and_then(|e| mesh.left(e)))
+            about(mesh, w, Bearing::of(v, accel))
         }
     };
     found.ok_or(SpawnError::Solid)
+}
+
+/// The free face about a vertex into which a bearing leads, else one of them.
+fn about(mesh: Ground, w: VertexId, bearing: Bearing) -> Option<FaceId> {
+    let is_free = |e: &EdgeId| mesh.left(*e).is_some_and(|f| !mesh.is_solid(f));
+    let mut fans = spokes(mesh, w).filter(is_free);
+    let first = fans.next()?;
+    let leads = |e: EdgeId| match sector(mesh, e, bearing) {
+        Sector::Free(f) => Some(f),
+        Sector::Solid(..) => None,
+    };
+    leads(first)
+        .or_else(|| fans.find_map(leads))
+        .or(mesh.left(first))
+}
+
+/// The corner of a face that is at most a step away.
+fn corner_near(mesh: Ground, f: FaceId, p: DVec2) -> Option<VertexId> {
+    let corners = mesh.sides(f).map(|e| mesh.origin(e)).into_iter();
+    let away = |w: &VertexId| (mesh.point(*w).metres() - p).length();
+    corners
+        .filter(|w| away(w) <= STEP)
+        .min_by(|a, b| away(a).total_cmp(&away(b)))
 }
 
 /// An edge out of a vertex that has the front of a one-way beside its left face.

@@ -243,7 +243,8 @@ impl Body {
             let normal = mesh.track(wall).normal;
             v -= normal * normal.dot(v).min(0.0);
         }
-        let touching = [self.segment(), wall];
+        let [first, second] = self.left_behind(terrain);
+        let touching = [first, wall.or(second)];
         self.fly(p, v, face, touching);
         if std::mem::take(&mut self.climbing) {
             self.reach = Reach::AfterApex;
