@@ -111,7 +111,7 @@ impl World {
         for land in Arc::make_mut(&mut self.lands) {
             self.state.start_movers(land);
         }
-        self.each(|body, terrain, trace| body.retune(terrain, trace));
+        self.each(|body, terrain, trace| body.take_up_paths(terrain, trace));
     }
 
     /// Checkpoints and goals that the hero has entered, in the events after those that were seen.

@@ -26,6 +26,9 @@ pub struct Beside {
     pub(super) flight: Air,
     /// What presses on the body from this frame, while it is on a surface of another.
     pub(super) contact: Option<Contact>,
+    /// The body climbs on a ladder: one-ways of this frame do not stop it.
+    #[serde(default)]
+    climbing: bool,
     /// The motion of the body in the world from which the flight was worked out; `None` if that is to be done.
     pub(super) of: Option<Piece>,
     /// The next event in this frame.
@@ -39,6 +42,7 @@ impl Beside {
             frame,
             flight: Air::resting(at, face),
             contact: None,
+            climbing: false,
             of: None,
             next: None,
         }
@@ -56,7 +60,17 @@ impl Beside {
 
     /// The mesh of the frame, as the body meets it.
     pub(super) fn ground<'a>(&self, size: Size, terrain: &Terrain<'a>) -> Ground<'a> {
-        terrain.ground_under(self.mover(), size)
+        let climbs = self.climbing && self.frame.is_some();
+        terrain.ground_under(self.mover(), size).climbed(climbs)
+    }
+
+    /// Takes up whether the body climbs.
+    fn climb(&mut self, climbing: bool, size: Size, terrain: &Terrain) {
+        if self.climbing != climbing {
+            (self.climbing, self.of) = (climbing, None);
+            let mesh = self.ground(size, terrain);
+            self.contact = self.contact.filter(|c| mesh.blocks(c.edge));
+        }
     }
 
     /// Takes up a motion of the body, if it or that of the frame is new.
@@ -205,6 +219,7 @@ impl Body {
         let node = self.frame.and_then(|ride| ride.until);
         let mut first = Next::node_before(node, own);
         for (i, beside) in self.beside.iter_mut().enumerate() {
+            beside.climb(self.climbing, size, terrain);
             beside.follow(motion, now, size, terrain);
             if let Some((at, _)) = beside.next
                 && first.is_none_or(|(earliest, _)| at < earliest)
@@ -341,7 +356,9 @@ impl Body {
     }
 
     /// Takes up the paths as they are now, after the game has started or stopped a moving solid, or has added or removed some.
-    pub(super) fn reread_paths(&mut self, terrain: &Terrain, trace: &mut Trace) {
+    /// An event for those whom one carries or presses on that goes another way from now on; the motion of all others
+    /// keeps every bit.
+    pub fn take_up_paths(&mut self, terrain: &Terrain, trace: &mut Trace) {
         if matches!(self.mode, Mode::Crushed(_)) {
             return;
         }
@@ -351,20 +368,24 @@ impl Body {
             if self.find_places(terrain).is_err() {
                 self.crush(terrain, trace);
             }
-            return;
+            return self.refresh(terrain, trace);
         }
+        let now = self.time;
+        let is_new = |ride: Ride| Ride::at(ride.mover, now, terrain.movers) != ride;
+        let mut is_event = false;
         for i in 0..known {
-            if i < self.beside.len() {
-                self.take_up_node(i, terrain, trace);
+            let entry = self.beside.get(i);
+            if entry.is_some_and(|b| b.frame.is_some_and(is_new)) {
+                is_event |= !self.take_up_node(i, terrain, trace);
             }
         }
-        if let Some(old) = self.frame {
-            let new = Ride::at(old.mover, self.time, terrain.movers);
-            if new.piece == old.piece {
-                self.frame = Some(new);
-            } else {
-                self.ride_on(terrain, trace);
-            }
+        if self.frame.is_some_and(is_new) {
+            self.ride_on(terrain, trace);
+            is_event = true;
+        }
+        match is_event {
+            true => self.refresh(terrain, trace),
+            false => self.schedule(terrain),
         }
     }
 

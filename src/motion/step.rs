@@ -61,6 +61,13 @@ impl Body {
         self.refresh(terrain, trace);
     }
 
+    /// Has a control from now on as if it had been so before: what is held does not count as pressed now.
+    pub fn keep_control(&mut self, control: Control, terrain: &Terrain, trace: &mut Trace) {
+        self.rebase();
+        self.control = control;
+        self.refresh(terrain, trace);
+    }
+
     /// Takes a control, from now on. An event if it differs from the one before, else nothing.
     pub fn apply(&mut self, control: Control, terrain: &Terrain, trace: &mut Trace) {
         let run = if control.run.is_finite() {
@@ -87,10 +94,9 @@ impl Body {
         self.refresh(terrain, trace);
     }
 
-    /// Takes up changed tuning, and what has changed about moving solids, from now on. An event.
+    /// Takes up changed tuning from now on. An event.
     pub fn retune(&mut self, terrain: &Terrain, trace: &mut Trace) {
         self.rebase();
-        self.reread_paths(terrain, trace);
         self.refresh(terrain, trace);
     }
 

@@ -7,7 +7,7 @@ use edgewalker::motion::grip::Grip;
 use edgewalker::motion::{Control, EventKind, Traits};
 
 /// Hands reach 1.25 m up, and the last fifth of a metre is helped.
-fn hanging(scene: Scene) -> Scene {
+pub fn hanging(scene: Scene) -> Scene {
     steering(scene).tune(|t| {
         (t.ledge_hang, t.ledge_magnet) = (1.25, 0.2);
         (t.ledge_climb_speed, t.climb_accel, t.climb_speed) = (5.0, 60.0, 4.0);

@@ -2,6 +2,7 @@
 //! list of hard cases; conventions: y up, gravity 30, solids counter-clockwise, P a point, B a box of half-size
 //! (13/32, 29/32) whose reference point is the middle of its foot.
 
+mod build;
 mod degenerate;
 mod edits;
 mod found;
@@ -10,11 +11,16 @@ mod ladders;
 mod ledges;
 mod movers;
 mod moving;
+mod moving_ladders;
+mod moving_one_ways;
+mod moving_walls;
 mod one_ways;
 mod regions;
+mod rides;
 mod rig;
 mod slopes;
 mod stairs;
+mod starts;
 mod stress;
 mod swept;
 mod timing;

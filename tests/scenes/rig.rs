@@ -1,9 +1,8 @@
 //! Scenes in a few words: solids, a collider, a tuning; run as they are, mirrored and shifted.
 
-use edgewalker::geom::{Collider, ExpandedEdge, Point, Source, expand, expand_one_way};
-use edgewalker::mesh::{Kind, Mesh};
+use edgewalker::geom::{Collider, Point};
 use edgewalker::motion::{
-    Body, Control, EventKind, Mode, Path, Region, Size, Terrain, Trace, Traits, check::check,
+    Body, Control, EventKind, Mode, Mover, Path, Region, Size, Terrain, Trace, Traits, check::check,
 };
 use edgewalker::tune::Motion;
 use glam::DVec2;
@@ -21,7 +20,7 @@ pub enum Variant {
 }
 
 impl Variant {
-    fn there(self, p: DVec2) -> DVec2 {
+    pub fn there(self, p: DVec2) -> DVec2 {
         match self {
             Variant::Plain => p,
             Variant::Mirrored => DVec2::new(-p.x, p.y),
@@ -65,6 +64,8 @@ pub struct Scene {
     pub lines: Vec<(DVec2, DVec2)>,
     /// Moving solids, each a scene of its own, and where it goes from time 0 on.
     pub movers: Vec<(Scene, Path)>,
+    /// When they begin to go, if somebody starts them: [`Run::start`].
+    pub starts: Option<f64>,
     pub stand: Collider,
     pub crouch: Collider,
     pub tuning: Motion,
@@ -122,6 +123,7 @@ impl Scene {
             regions: Vec::new(),
             lines: Vec::new(),
             movers: Vec::new(),
+            starts: None,
             stand: Collider::point(),
             crouch: Collider::point(),
             tuning: plain(),
@@ -194,67 +196,6 @@ impl Scene {
         self.solid(&outline)
     }
 
-    pub fn mesh(&self, variant: Variant, collider: &Collider) -> Mesh {
-        let snap = |corners: &[DVec2]| {
-            let mut outline: Vec<_> = corners
-                .iter()
-                .map(|&p| Point::snap(variant.there(p)).unwrap())
-                .collect();
-            if variant == Variant::Mirrored {
-                outline.reverse();
-            }
-            outline
-        };
-        let outlines = self
-            .solids
-            .iter()
-            .map(|s| (Kind::Solid, expand(&snap(s), collider)));
-        let wires = self.wires.iter().map(|&(a, b)| {
-            let [a, b] = [a, b].map(|p| Point::snap(variant.there(p)).unwrap());
-            let source = Source::Edge { edge: 0 };
-            (Kind::Solid, vec![ExpandedEdge { a, b, source }])
-        });
-        let one_ways = self
-            .one_ways
-            .iter()
-            .map(|line| (Kind::OneWay, expand_one_way(&snap(line), collider)));
-        let regions = self
-            .regions
-            .iter()
-            .map(|(_, outline)| (Kind::Region, expand(&snap(outline), &Collider::point())));
-        let lines = self.lines.iter().map(|&(a, b)| {
-            let [a, b] = [a, b].map(|p| Point::snap(variant.there(p)).unwrap());
-            let edge = |a, b, edge| ExpandedEdge {
-                a,
-                b,
-                source: Source::Edge { edge },
-            };
-            (Kind::Line, vec![edge(a, b, 0), edge(b, a, 1)])
-        });
-        let features = outlines
-            .chain(wires)
-            .chain(one_ways)
-            .chain(regions)
-            .chain(lines);
-        let features: Vec<_> = (0..).zip(features).map(|(id, (k, e))| (id, k, e)).collect();
-        Mesh::of(&features).unwrap()
-    }
-
-    /// The traits of all features, in the order of the mesh.
-    fn all_traits(&self, variant: Variant) -> Vec<Traits> {
-        let others = self.solids.len() + self.wires.len() + self.one_ways.len();
-        let mut traits = self.traits.clone();
-        traits.resize(others, Traits::default());
-        traits.extend(self.regions.iter().map(|&(region, _)| Traits {
-            region,
-            ..Traits::default()
-        }));
-        if variant == Variant::Mirrored {
-            traits.iter_mut().for_each(|t| t.conveyor = -t.conveyor);
-        }
-        traits
-    }
-
     /// Runs a test on the scene in all variants.
     pub fn each(&self, test: impl Fn(&mut Run)) {
         for variant in [Variant::Plain, Variant::Mirrored, Variant::Shifted] {
@@ -269,7 +210,8 @@ impl Scene {
             self.mesh(variant, &self.crouch),
         );
         let traits = self.all_traits(variant);
-        let movers = self.build_movers(variant);
+        let movers = self.build_movers(variant, self.starts.map_or(Some(0.0), |_| None));
+        let going = self.build_movers(variant, self.starts);
         let terrain = Terrain {
             traits: &traits,
             movers: &movers,
@@ -278,6 +220,7 @@ impl Scene {
         test(&mut Run {
             variant,
             terrain,
+            going: &going,
             body: None,
             trace: Trace::default(),
             control: Control::default(),
@@ -289,7 +232,9 @@ impl Scene {
 pub struct Run<'a> {
     pub variant: Variant,
     pub terrain: Terrain<'a>,
-    body: Option<Body>,
+    /// The moving solids after the scene's start of them.
+    pub going: &'a [Mover],
+    pub(super) body: Option<Body>,
     pub trace: Trace,
     control: Control,
 }
