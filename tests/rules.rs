@@ -7,7 +7,7 @@ use edgewalker::tune::{Motion, Tuning};
 use glam::DVec2;
 use std::sync::Arc;
 
-const RATES: [u32; 5] = [30, 60, 120, 250, 1000];
+const RATES: [u32; 6] = [15, 30, 60, 120, 250, 1000];
 
 /// A box between two corners.
 fn block(id: &str, kind: Kind, (x0, y0): (f64, f64), (x1, y1): (f64, f64)) -> Feature {
@@ -70,6 +70,17 @@ fn run_time(way: f64) -> f64 {
     ramp + (way - run_speed * ramp / 2.0) / run_speed
 }
 
+/// How far he has come at this time.
+fn run_way(time: f64) -> f64 {
+    let Motion {
+        run_speed,
+        run_accel,
+        ..
+    } = Motion::default();
+    let ramp = time.min(run_speed / run_accel);
+    run_accel * ramp * ramp / 2.0 + run_speed * (time - ramp)
+}
+
 /// The time of the last event of a kind in the last tick.
 fn time_of(world: &World, wanted: impl Fn(EventKind) -> bool) -> Option<f64> {
     let events = world.trace().events.iter().rev();
@@ -92,7 +103,9 @@ fn a_hazard_kills_when_it_is_entered() {
         let late = (entered.unwrap() - run_time(5.125)).abs();
         assert!(late < 1e-12, "{rate} Hz: {late:e} s");
         assert!(world.time() - run_time(5.125) < 1.0 / f64::from(rate));
-        assert_eq!(world.view().position, DVec2::ZERO);
+        // Back, and running again from that time on.
+        let way = run_way(world.time() - entered.unwrap());
+        assert!((world.view().position.x - way).abs() < 1e-12, "{rate} Hz");
     }
 }
 
@@ -109,7 +122,8 @@ fn who_dies_comes_back_at_the_last_checkpoint() {
             let now = world.time() + 1e-3;
             play(&mut world, now, 1);
         }
-        assert_eq!(world.view().position, DVec2::new(7.0, 0.0));
+        let way = world.view().position.x - 7.0;
+        assert!((0.0..=run_way(1.0 / 120.0)).contains(&way), "{way}");
     }
     // Who asks for a restart begins anew, and has been nowhere.
     world.step(
@@ -253,5 +267,128 @@ fn snapshots_know_what_moves() {
         play(&mut again, until + 2.0, 1);
         assert_eq!(again.hash(), straight.hash(), "from {until} s");
         assert!(straight.view().position.x > 8.0);
+    }
+}
+
+/// How long a fall from rest takes under the default tuning.
+fn fall_time(way: f64) -> f64 {
+    let Motion {
+        gravity: g,
+        fall_speed: v,
+        ..
+    } = Motion::default();
+    match way <= v * v / (2.0 * g) {
+        true => (2.0 * way / g).sqrt(),
+        false => v / g + (way - v * v / (2.0 * g)) / v,
+    }
+}
+
+#[test]
+fn who_falls_out_of_the_level_dies_at_the_very_time_at_every_rate() {
+    let mut seen = Vec::new();
+    for rate in RATES {
+        let mut world = world(&[], &[], rate);
+        world.put(DVec2::new(70.0, 5.0)).unwrap();
+        let pit = world.stage().pit();
+        let mut fell = None;
+        while world.view().deaths == 0 {
+            let now = world.time() + 0.5 / f64::from(rate);
+            play(&mut world, now, 1);
+            fell = time_of(&world, |kind| kind == EventKind::Entered(pit));
+        }
+        let fell = fell.unwrap();
+        assert!((fell - fall_time(25.0)).abs() < 1e-12, "{rate} Hz: {fell}");
+        assert!(world.time() - fell < 1.0 / f64::from(rate));
+        // Back at the start from that time on, and running.
+        play(&mut world, 4.0, 1);
+        let way = world.view().position.x;
+        assert!((run_way(4.0 - fell) - way).abs() < 1e-12, "{rate} Hz");
+        seen.push((fell.to_bits(), world.hero().hash()));
+    }
+    assert!(seen.iter().all(|other| *other == seen[0]), "{seen:?}");
+}
+
+#[test]
+fn a_dip_below_the_bottom_between_two_ticks_counts() {
+    // A platform 1/16 m over the bottom; down by 1/8 m in 1/20 s, of which the second half is below it, and back alike.
+    let stop = |y: f64, wait: f64| Stop {
+        at: DVec2::new(0.0, y),
+        wait,
+        seconds: 0.05,
+        easing: Easing::Eased,
+    };
+    let lift = Mover {
+        id: "lift".into(),
+        features: vec![block("deck", Kind::Solid, (79.0, -21.0), (81.0, -19.9375))],
+        path: vec![stop(0.0, 0.98), stop(-0.125, 0.0)],
+        repeat: Repeat::Loop,
+        starts: Starts::AtOnce,
+    };
+    // So heavy that he stays on it. At 15 Hz he is above the bottom at the ticks before and after.
+    let mut heavy = Tuning::default();
+    (heavy.motion.gravity, heavy.motion.fall_speed) = (400.0, 200.0);
+    for rate in RATES {
+        let mut world = world(&[], std::slice::from_ref(&lift), rate);
+        world.put(DVec2::new(80.0, -19.9375)).unwrap();
+        let pit = world.stage().pit();
+        let mut falls = Vec::new();
+        while world.time() < 1.5 {
+            world.step(Input::default(), &heavy);
+            falls.extend(time_of(&world, |kind| kind == EventKind::Entered(pit)));
+        }
+        assert_eq!(world.view().deaths, 1, "{rate} Hz");
+        assert!((falls[0] - 1.005).abs() < 1e-12, "{rate} Hz: {falls:?}");
+    }
+}
+
+#[test]
+fn who_is_put_where_it_kills_dies_at_the_next_tick() {
+    let mut world = world(&[region("thorns", Kind::Hazard, 5.125, 9.0)], &[], 120);
+    for (deaths, place) in [(1, (7.0, 0.5)), (2, (70.0, -21.0))] {
+        world.put(place.into()).unwrap();
+        world.step(Input::default(), &Tuning::default());
+        assert_eq!(world.view().deaths, deaths);
+        assert!(world.view().position.length() < 0.1);
+    }
+}
+
+#[test]
+fn a_start_far_away_changes_no_bit_of_a_body() {
+    // A twin runs into the button, and the door opens: the hero, who walks the other way, does not feel it.
+    for rate in RATES {
+        let button = region("button", Kind::Trigger, -6.0, -5.0);
+        let run = |movers: &[Mover]| {
+            let mut world = world(std::slice::from_ref(&button), movers, rate);
+            let twin = world
+                .add_body(&Shape::hero(), DVec2::new(-2.0, 0.0))
+                .unwrap();
+            let left = Control {
+                run: -1.0,
+                ..Control::default()
+            };
+            world.control(twin, left);
+            let mut story = Vec::new();
+            while world.time() < 1.0 {
+                let input = Input {
+                    run: 101,
+                    jump: world.tick() % 30 > 20,
+                    ..Input::default()
+                };
+                world.step(input, &Tuning::default());
+                story.push((world.hero().mode().clone(), world.hero().hash()));
+            }
+            (story, world.offsets_at(1.0).next())
+        };
+        let far = |starts| {
+            let mut door = Mover { starts, ..door() };
+            for corner in &mut door.features[0].outline {
+                corner.x += 40.0;
+            }
+            run(&[door])
+        };
+        let (with, moved) = far(Starts::On("button".into()));
+        let (without, _) = far(Starts::On("goal".into()));
+        assert!(moved.unwrap().y > 1.0, "{rate} Hz: it has started");
+        assert_eq!(with, without, "{rate} Hz");
     }
 }

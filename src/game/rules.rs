@@ -1,4 +1,4 @@
-//! What events mean: hazards and crushers kill, checkpoints and goals are noted, triggers set movers going.
+//! What events mean: hazards, crushers and a fall out of the level kill, checkpoints and goals are noted, triggers set movers going.
 //!
 //! All of it happens at the event's own time. Where an event changes the world for what follows in the same tick, the tick
 //! is taken back to its beginning, run up to the event, and goes on from there: bodies are plain values, and where
@@ -61,13 +61,16 @@ impl World {
     fn turn(&self, body: usize, kind: EventKind) -> Option<Turn> {
         match kind {
             EventKind::Crushed if body == HERO => Some(Turn::Death),
-            EventKind::Entered(id) => match self.stage.feature(id)?.kind {
-                Kind::Hazard if body == HERO => Some(Turn::Death),
-                Kind::Trigger if self.waits_for(id) => Some(Turn::Start(id)),
-                _ => None,
-            },
+            EventKind::Entered(id) if body == HERO && self.stage.kills(id) => Some(Turn::Death),
+            EventKind::Entered(id) if self.waits_for(id) => Some(Turn::Start(id)),
             _ => None,
         }
+    }
+
+    /// Whether the hero is where it kills to be without having come there: an edit has put it over him, or somebody him into it.
+    pub(super) fn is_doomed(&self) -> bool {
+        let regions = self.hero().regions();
+        self.state.doomed || regions.iter().any(|&id| self.stage.kills(id))
     }
 
     fn first_turn(&self, seen: &[usize]) -> Option<(f64, Turn)> {
@@ -149,6 +152,7 @@ impl World {
     }
 
     /// Puts the hero at the last checkpoint, or if that is not free at the start. If an edit has closed that too, he stays.
+    /// What is held goes on to count, from this very time.
     fn come_back(&mut self, at: f64) {
         let checkpoint = self.state.checkpoint.and_then(|id| self.stage.feature(id));
         let places = [
@@ -157,7 +161,9 @@ impl World {
         ];
         let terrain = self.lands[HERO].terrain(&self.stage, &self.state.tuning);
         let spawn = |place| Body::spawn(place, at, &terrain).ok();
-        if let Some(body) = places.into_iter().flatten().find_map(spawn) {
+        let held = self.state.actors[HERO].body.control();
+        if let Some(mut body) = places.into_iter().flatten().find_map(spawn) {
+            body.keep_control(held, &terrain, &mut self.traces[HERO]);
             self.state.actors[HERO].body = body;
         }
         self.state.doomed = false;

@@ -2,7 +2,7 @@
 
 use super::meshes::{Kept, Meshes, Numbered, Plan, Shape};
 use super::paths::path;
-use crate::geom::{Collider, Point};
+use crate::geom::{BOUND, Collider, Point, STEP};
 use crate::level::{self, By, Concave, Feature, Flaw, Kind, Level, Starts};
 use crate::mesh::{FeatureId, MeshError};
 use crate::motion::{self, Body, Mover, Path, Region, SpawnError, Terrain, Traits};
@@ -13,14 +13,16 @@ use xxhash_rust::xxh3::xxh3_64;
 
 /// A level made ready to play.
 ///
-/// Features have numbers: those of the level as listed there, then those of the movers, then the goal box, then
-/// whatever [`Stage::edit`] puts in. A number is never used again.
+/// Features have numbers: those of the level as listed there, then those of the movers, then the goal box, then the *pit*, all
+/// of the world below the level's bottom, then whatever [`Stage::edit`] puts in. A number is never used again.
 #[derive(Clone, Debug)]
 pub struct Stage {
     /// The level, as it was loaded.
     pub level: Level,
-    /// By number; `None` once it is gone.
+    /// By number; `None` once it is gone, and for the pit, which nobody has drawn.
     features: Vec<Option<Feature>>,
+    /// The number of the pit.
+    pit: FeatureId,
     traits: Vec<Traits>,
     /// Of each mover: where it goes, and the number of the trigger that it waits for.
     paths: Vec<(Path, Option<FeatureId>)>,
@@ -125,15 +127,18 @@ impl Stage {
             next += mover.features.len();
             numbered[first..next].to_vec()
         });
+        let (pit, below) = (features.len() as FeatureId, pit(&level));
         let plan = Plan {
             movers: movers.collect(),
             still: [&numbered[..still], &numbered[features.len() - 1..]].concat(),
-            changes: Vec::new(),
+            // After the rest, so that what the mesh takes for the usual size of things is that of the level.
+            changes: vec![(None, Some((pit, below.clone())))],
         };
         let text = ron::to_string(&level).expect("a level is plain data");
         let stage = Stage {
-            traits: features.iter().map(traits).collect(),
-            features: features.into_iter().map(Some).collect(),
+            traits: features.iter().chain([&below]).map(traits).collect(),
+            features: features.into_iter().map(Some).chain([None]).collect(),
+            pit,
             paths: level.movers.iter().map(|m| way(m, &level)).collect(),
             plan,
             kept: Kept::default(),
@@ -196,6 +201,17 @@ impl Stage {
     /// The feature with a number.
     pub fn feature(&self, id: FeatureId) -> Option<&Feature> {
         self.features.get(id as usize)?.as_ref()
+    }
+
+    /// Whether it kills the hero to be in the region with a number.
+    pub fn kills(&self, id: FeatureId) -> bool {
+        let is_hazard = |feature: &Feature| feature.kind == Kind::Hazard;
+        id == self.pit || self.feature(id).is_some_and(is_hazard)
+    }
+
+    /// The number of the pit.
+    pub fn pit(&self) -> FeatureId {
+        self.pit
     }
 
     /// The trigger that a mover waits for.
@@ -273,6 +289,19 @@ fn goal_box(level: &Level) -> Feature {
         kind: Kind::Goal,
         by: Some(By::Foot),
         outline: vec![min, DVec2::new(max.x, min.y), max, DVec2::new(min.x, max.y)],
+        ..Feature::default()
+    }
+}
+
+/// The place below the level's bottom, to the borders of the world: who comes into it with his foot has fallen out.
+fn pit(level: &Level) -> Feature {
+    let (end, top) = (f64::from(BOUND - 2) * STEP, level.bottom);
+    Feature {
+        kind: Kind::Hazard,
+        by: Some(By::Foot),
+        outline: [(-end, -end), (end, -end), (end, top), (-end, top)]
+            .map(DVec2::from)
+            .to_vec(),
         ..Feature::default()
     }
 }

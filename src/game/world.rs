@@ -83,7 +83,7 @@ impl World {
         }
         if input.retry && !self.state.retry {
             self.restart();
-        } else if self.state.doomed {
+        } else if self.is_doomed() {
             self.die(self.time());
         }
         self.state.retry = input.retry;
@@ -92,9 +92,6 @@ impl World {
         self.state.tick += 1;
         self.run(self.time());
         self.note_events(input);
-        if self.hero().position().y < self.stage.level.bottom {
-            self.die(self.time());
-        }
     }
 
     /// Does something with every body in its terrain.

@@ -230,7 +230,11 @@ fn events(ui: &Ui, info: &Info) {
 /// An event in words; regions and movers by their ids.
 fn named(world: &World, kind: &EventKind) -> String {
     let stage = world.stage();
-    let region = |id: &u32| stage.feature(*id).map_or("?", |feature| &feature.id);
+    let region = |id: &u32| match stage.feature(*id) {
+        Some(feature) => feature.id.as_str(),
+        None if *id == stage.pit() => "the pit",
+        None => "?",
+    };
     let mover = |i: &u32| stage.level.movers.get(*i as usize).map_or("?", |m| &m.id);
     match kind {
         EventKind::Entered(id) => format!("Entered {}", region(id)),
