@@ -135,7 +135,8 @@ need() {
     done
 }
 
-# Rust itself comes from rustup: the packaged compilers of most systems are too old.
+# need_rust [MANIFEST]: as new as a package wants it, this one's if none is named. Rust itself comes from rustup: the packaged
+# compilers of most systems are too old.
 need_rust() {
     local hint="get it from https://rustup.rs (curl --proto '=https' --tlsv1.2 -sSf https://sh.rustup.rs | sh)"
     if ! command -v cargo >/dev/null && [[ -f "$HOME/.cargo/env" ]]; then
@@ -144,7 +145,7 @@ need_rust() {
     fi
     command -v cargo >/dev/null || die "cargo, Rust's build tool, is missing: $hint"
     local wanted found
-    wanted="$(sed -n 's/^rust-version *= *"\(.*\)"/\1/p' Cargo.toml)"
+    wanted="$(sed -n 's/^rust-version *= *"\(.*\)"/\1/p' "${1:-Cargo.toml}")"
     found="$(cargo --version | cut -d ' ' -f 2)"
     if [[ "$(printf '%s\n' "$wanted" "$found" | sort -V | head -n 1)" != "$wanted" ]]; then
         die "cargo $found is too old, $wanted or newer is needed: run 'rustup update', or $hint"
