@@ -113,6 +113,7 @@ type Mechanism = (&'static str, fn(&EventKind) -> bool);
 /// What must happen on the way through the gym.
 const MECHANISMS: &[Mechanism] = &[
     ("a step up", |kind| matches!(kind, EventKind::SteppedUp(_))),
+    ("a step down", |kind| matches!(kind, EventKind::Snapped(_))),
     ("a fall through planks", |kind| {
         matches!(kind, EventKind::Dropped)
     }),

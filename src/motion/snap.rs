@@ -5,20 +5,26 @@
 //! away under the vertex, too steep to walk on, is none to be set down on. Depths are compared in whole grid steps,
 //! the limit rounded to them.
 //!
+//! A foot with bevelled flanks slides off a corner along its flank: the expanded corner begins with edges that no feature
+//! has drawn. Those are followed first, along the border of free space, and what is looked for is where they end.
+//!
 //! Only the end of the ground counts. Where the ground goes on, but bends away too sharply for his speed, he hops because
 //! the tunable `joint` says so, and a jump is nobody's accident.
 
 use super::body::{Body, EventKind, Trace};
 use super::joint::{Joint, Onward};
 use super::terrain::{Ground, Terrain};
-use super::vertex::{Bearing, Sector, sector, segment_at};
-use crate::geom::{Point, STEP, predicates::orient2d};
+use super::vertex::{Bearing, Heading, Sector, ahead, bridge, sector, segment_at, surface_next};
+use crate::geom::{Point, STEP, Source, predicates::orient2d};
 use crate::mesh::{EdgeId, SegmentId, VertexId};
 use glam::DVec2;
 
 /// How far a piece of the steepest walkable feature edge (10 : 1) may lie above or below it, in grid steps: rounding has moved
 /// it by up to half a step per axis.
 const DISPLACED: i32 = 6;
+
+/// More pieces than the flanks of any foot have; a bound, as for steps.
+const PIECES: u32 = 1024;
 
 /// A tunable distance, rounded to whole grid steps.
 pub(super) fn in_steps(distance: f64) -> i32 {
@@ -41,27 +47,19 @@ impl Body {
         let t = terrain.tuning;
         let mesh = self.ground(terrain);
         let next = onward.map(|on| on.edge);
-        let spoke = joint.spoke(next, mesh);
-        let vertex = mesh.point(mesh.origin(spoke));
-        let lowest = Point::new(vertex.x, vertex.y - in_steps(t.floor_snap));
-        let plumb = Plumb {
-            mesh,
-            forward: joint.forward(),
-            lowest,
-        };
+        let home = mesh.point(mesh.origin(joint.spoke(next, mesh)));
+        let lowest = home.y - in_steps(t.floor_snap);
         let found = match t.floor_snap > 0.0 {
-            true => plumb.ground(spoke),
+            true => below(&joint, onward, lowest, mesh),
             false => None,
         };
-        let below = |s: SegmentId| {
-            let track = mesh.track(s);
-            track.position(track.parameter_at_x(vertex.x))
+        let place = |found: &Below| {
+            let track = mesh.track(found.segment);
+            track.position(track.parameter_at_x(found.x))
         };
-        let found = found.filter(|&(_, s)| self.is_clear_to(below(s), terrain));
+        let found = found.filter(|found| self.is_clear_to(place(found), terrain));
         match (found, onward) {
-            (Some((edge, segment)), _) => {
-                self.set_down(&joint, vertex, edge, segment, terrain, trace);
-            }
+            (Some(found), _) => self.set_down(&joint, home, &found, terrain, trace),
             (None, Some(on)) if joint.speed == 0.0 && on.track.normal.y > 0.0 => {
                 self.tip_over(on, terrain, trace);
             }
@@ -82,18 +80,83 @@ impl Body {
         &mut self,
         joint: &Joint,
         from: Point,
-        edge: EdgeId,
-        segment: SegmentId,
+        below: &Below,
         terrain: &Terrain,
         trace: &mut Trace,
     ) {
-        let track = self.ground(terrain).track(segment);
+        let track = self.ground(terrain).track(below.segment);
         let sign = joint.forward() * track.tangent.x.signum();
-        let s0 = track.parameter_at_x(from.x);
-        self.put_on(edge, segment, s0, sign * joint.speed, terrain);
+        let s0 = track.parameter_at_x(below.x);
+        self.put_on(below.edge, below.segment, s0, sign * joint.speed, terrain);
         let depth = from.metres().y - track.position(s0).y;
         self.log(EventKind::Snapped(depth), trace);
     }
+}
+
+/// Ground below the end of the ground.
+struct Below {
+    /// The world x at which it is come to, in grid steps.
+    x: i32,
+    edge: EdgeId,
+    segment: SegmentId,
+}
+
+/// The ground below a joint that is the end of the ground, not below a height.
+fn below(joint: &Joint, onward: Option<&Onward>, lowest: i32, mesh: Ground) -> Option<Below> {
+    let heading = joint.heading;
+    let mut spoke = joint.spoke(onward.map(|on| on.edge), mesh);
+    let mut next = onward.map(|on| (on.edge, on.segment));
+    for _ in 0..PIECES {
+        let Some((edge, _)) = next.filter(|&(_, s)| is_bevel(joint, mesh, s)) else {
+            break;
+        };
+        // Down the flank of the body's own foot, which the corner of the ground slides along.
+        let end = ahead(mesh, edge, heading);
+        spoke = match heading {
+            Heading::Along => mesh.lnext(edge),
+            Heading::Against => edge,
+        };
+        next = surface_next(mesh, edge, heading)
+            .and_then(|e| Some((e, segment_at(mesh, e, |_| false)?)));
+        let ground = next.filter(|&(_, s)| mesh.walkable(s));
+        let lip = || bridge(mesh, end, next.map(|next| next.0), heading);
+        let met = match next.is_some_and(|(_, s)| is_bevel(joint, mesh, s)) {
+            true => None,
+            false => ground.or_else(lip),
+        };
+        if let Some((edge, segment)) = met {
+            let x = mesh.point(end).x;
+            let found = is_within(mesh, segment, Point::new(x, lowest));
+            return found.then_some(Below { x, edge, segment });
+        }
+    }
+    let lowest = Point::new(mesh.point(mesh.origin(spoke)).x, lowest);
+    let plumb = Plumb {
+        mesh,
+        forward: joint.forward(),
+        lowest,
+    };
+    let (edge, segment) = plumb.ground(spoke)?;
+    Some(Below {
+        x: lowest.x,
+        edge,
+        segment,
+    })
+}
+
+/// Whether a feature edge is a flank of the body's foot drawn round a corner of the ground, which falls away forwards and is
+/// too steep to stand on.
+fn is_bevel(joint: &Joint, mesh: Ground, s: SegmentId) -> bool {
+    let track = mesh.track(s);
+    let (dx, dy) = track.heading(joint.heading.sign(&track));
+    let falls = dy < 0 && dx as f64 * joint.forward() > 0.0;
+    falls && !mesh.walkable(s) && matches!(mesh.segment(s).source, Source::Corner { .. })
+}
+
+/// Whether a point is not above a feature edge of ground: the solid is left of a -> b, below.
+fn is_within(mesh: Ground, s: SegmentId, lowest: Point) -> bool {
+    let segment = mesh.segment(s);
+    orient2d(segment.a, segment.b, lowest) >= 0
 }
 
 /// A line straight down from a vertex; where it meets vertices it passes them on the side of the motion.
@@ -106,7 +169,7 @@ struct Plumb<'a> {
 }
 
 /// Where a plumb line goes on from a face.
-enum Below {
+enum Way {
     /// Through a vertex of it; this edge leaves that, with the face on its left.
     Vertex(EdgeId),
     /// Across this edge of it.
@@ -121,12 +184,9 @@ impl Plumb<'_> {
         let candidates = self.first_met(spoke)?.into_iter();
         let feature_edges = candidates.filter_map(|e| Some((e, segment_at(mesh, e, |_| false)?)));
         let mut ground = feature_edges.filter(|&(_, s)| mesh.walkable(s));
-        // The solid is left of a -> b, below: the lowest point must not be above it.
-        let within = |s: SegmentId| {
-            let segment = mesh.segment(s);
-            orient2d(segment.a, segment.b, self.lowest) >= 0
-        };
-        ground.next().filter(|&(_, s)| within(s))
+        ground
+            .next()
+            .filter(|&(_, s)| is_within(mesh, s, self.lowest))
     }
 
     /// The blocking edge that the line meets first; at a vertex both of its solid sector, the one ahead first.
@@ -134,19 +194,19 @@ impl Plumb<'_> {
         let mut below = self.through_vertex(spoke).ok()?;
         while !self.is_too_deep(&below) {
             below = match below {
-                Below::Vertex(spoke) => match self.through_vertex(spoke) {
+                Way::Vertex(spoke) => match self.through_vertex(spoke) {
                     Ok(below) => below,
                     Err(met) => return Some(met),
                 },
-                Below::Edge(e) if self.mesh.blocks(e) => return Some([e, e]),
-                Below::Edge(e) => self.across(self.mesh.sym(e)),
+                Way::Edge(e) if self.mesh.blocks(e) => return Some([e, e]),
+                Way::Edge(e) => self.across(self.mesh.sym(e)),
             };
         }
         None
     }
 
     /// Down from a vertex into the face there; `Err`: into the solid between two edges, the one ahead first.
-    fn through_vertex(&self, spoke: EdgeId) -> Result<Below, [EdgeId; 2]> {
+    fn through_vertex(&self, spoke: EdgeId) -> Result<Way, [EdgeId; 2]> {
         let mesh = self.mesh;
         let down = Bearing {
             d: DVec2::NEG_Y,
@@ -167,21 +227,21 @@ impl Plumb<'_> {
         Ok([opposite, mesh.lnext(opposite)]
             .into_iter()
             .find(|&e| self.meets(e))
-            .map_or(Below::Edge(opposite), Below::Vertex))
+            .map_or(Way::Edge(opposite), Way::Vertex))
     }
 
     /// Down into the face left of an edge that the line crosses between its ends, and on.
-    fn across(&self, e: EdgeId) -> Below {
+    fn across(&self, e: EdgeId) -> Way {
         let mesh = self.mesh;
         let next = mesh.lnext(e);
         let last = mesh.lnext(next);
         let is_left = |e: EdgeId| mesh.point(mesh.origin(e)).x < self.lowest.x;
         if self.meets(last) {
-            Below::Vertex(last)
+            Way::Vertex(last)
         } else if is_left(next) != is_left(last) {
-            Below::Edge(next)
+            Way::Edge(next)
         } else {
-            Below::Edge(last)
+            Way::Edge(last)
         }
     }
 
@@ -190,11 +250,11 @@ impl Plumb<'_> {
         self.mesh.point(self.mesh.origin(e)).x == self.lowest.x
     }
 
-    fn is_too_deep(&self, below: &Below) -> bool {
+    fn is_too_deep(&self, below: &Way) -> bool {
         let deep = |v: VertexId| self.mesh.point(v).y < self.lowest.y - DISPLACED;
         match *below {
-            Below::Vertex(e) => deep(self.mesh.origin(e)),
-            Below::Edge(e) => deep(self.mesh.origin(e)) && deep(self.mesh.dest(e)),
+            Way::Vertex(e) => deep(self.mesh.origin(e)),
+            Way::Edge(e) => deep(self.mesh.origin(e)) && deep(self.mesh.dest(e)),
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Stairs: floor snap on the way down, step-up on the way up, and what neither of them does.
 
 use super::rig::*;
-use edgewalker::geom::STEP;
+use edgewalker::geom::{Collider, STEP};
 use edgewalker::motion::{Control, EventKind};
 
 /// Metres on the grid.
@@ -336,4 +336,78 @@ fn one_who_crouches_before_a_low_passage_goes_on() {
         run.down(true).advance(3.0);
         assert!(run.crouched() && run.at().x > 1.0, "{}", run.at());
     });
+}
+
+/// The hero's foot is 1/2 m wide, and his flanks lean out by 5 in 11 up to 11/32 m: down stairs he slides off each along a flank.
+fn hero() -> Scene {
+    Scene {
+        stand: Collider::hero(),
+        crouch: Collider::hero(),
+        ..Scene::point()
+    }
+}
+
+#[test]
+fn scene_44_a_foot_with_bevelled_flanks_walks_down_stairs() {
+    let (deep, drop) = (grid(0.6), grid(0.25));
+    let out = grid(drop * 5.0 / 11.0);
+    for direction in [1.0, -1.0] {
+        // Up to the left, so that the same stairs are gone down to the left too.
+        let mut scene = hero();
+        let stair = |i: u32| f64::from(i);
+        for i in 0..10 {
+            let x = -direction * deep * stair(i);
+            let (from, to) = (x - direction * 40.0, x);
+            scene = scene.rect((from.min(to), from.max(to)), (-20.0, drop * stair(i)));
+        }
+        let (top, start) = (drop * 9.0, -direction * (deep * 9.0 + 1.0));
+        let scene = scene
+            .rect((-60.0, 60.0), (-20.0, -drop))
+            .tune(|t| t.floor_snap = 0.3);
+        scene.each(|run| {
+            for rate in [30.0, 60.0, 240.0] {
+                run.spawn(start, top).walk(5.0 * direction);
+                run.trace.clear();
+                for tick in 1..=(2.0 * rate) as u32 {
+                    run.advance(f64::from(tick) / rate);
+                    assert!(run.supported(), "{:?}", run.kinds());
+                }
+                assert_eq!(snapped(run), [drop; 10]);
+                let x = direction * 10.0 + start + direction * 10.0 * out;
+                run.near(x, -drop, 1e-11);
+            }
+        });
+    }
+}
+
+#[test]
+fn scene_44_the_limit_holds_for_bevelled_flanks_and_beyond_them() {
+    // 0.5 m is more than the flanks are high: down their whole way, 5/32 m out, and straight down from there.
+    for (limit, out) in [(grid(0.3), grid(grid(0.3) * 5.0 / 11.0)), (0.5, 5.0 / 32.0)] {
+        for (drop, snaps) in [(limit, true), (limit + STEP, false)] {
+            let scene = stairs(hero(), 1, 1.0, -drop).tune(|t| t.floor_snap = limit);
+            scene.each(|run| {
+                run.spawn(-1.0, 0.0).walk(5.0).advance(0.3);
+                assert_eq!(run.supported(), snaps);
+                assert_eq!(run.kinds().contains(&EventKind::Left), !snaps);
+                match snaps {
+                    true => run.near(0.5 + out, -drop, 1e-13),
+                    false => run.near(0.5, -15.0 * 0.05 * 0.05, 1e-13),
+                };
+            });
+        }
+    }
+}
+
+#[test]
+fn a_face_that_the_level_has_drawn_is_no_bevel() {
+    // Steeper than walkable, flatter than the flanks: it begins at the end of the ground, and falls away from it.
+    let top = [(-10.0, 0.0), (0.0, 0.0), (0.1875, -0.25), (9.0, -0.25)];
+    hero()
+        .under(&top, -2.0)
+        .tune(|t| t.floor_snap = 0.5)
+        .each(|run| {
+            run.spawn(-1.0, 0.0).walk(5.0).advance(0.26);
+            assert!(run.airborne() && snapped(run).is_empty());
+        });
 }
