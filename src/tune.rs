@@ -108,6 +108,7 @@ tunables! {
         step_up = 0.2 in 0.0..=1.0, "m", "How high a step a walker takes without a jump.";
         corner_correction = 0.15 in 0.0..=1.0, "m", "How far a head that barely strikes a ceiling's corner is moved aside.";
         ledge_correction = 0.15 in 0.0..=1.0, "m", "How far feet that barely miss a ledge are lifted onto it.";
+        ledge_correction_speed = 18.0 in 0.0..=1000.0, "m/s", "Fastest fall from which they are.";
         wall_slide_speed = 4.0 in 0.0..=1000.0, "m/s", "Terminal speed along a wall that is pushed against; 0: as in the air.";
         wall_slide_brake = 100.0 in 0.0..=2000.0, "m/s^2", "Deceleration of a faster slide to that speed.";
         wall_jump_out = 9.0 in 0.0..=100.0, "m/s", "Speed away from the wall at a wall jump.";

@@ -142,7 +142,8 @@ impl Body {
     /// Feet that come to a wall just below the ground on top of it are lifted onto it, and walk on as fast as they flew
     /// sideways. True if they were.
     ///
-    /// Only who moves into the wall and does not rise: in a rise the same wall is slid up, and the top reached by itself.
+    /// Only who moves into the wall and does not rise: in a rise the same wall is slid up, and the top reached by itself. Nor who
+    /// falls too fast: he would stop dead in the middle of a long fall.
     pub(super) fn correct_ledge(
         &mut self,
         edge: EdgeId,
@@ -153,7 +154,8 @@ impl Body {
         let (mesh, limit) = (self.ground(terrain), terrain.tuning.ledge_correction);
         let (at, v) = (self.local_position(), self.local_velocity());
         let track = mesh.track(segment);
-        let comes = v.y <= 0.0 && v.x * track.normal.x < 0.0 && track.normal.dot(v) < 0.0;
+        let slow = -v.y <= terrain.tuning.ledge_correction_speed;
+        let comes = v.y <= 0.0 && v.x * track.normal.x < 0.0 && track.normal.dot(v) < 0.0 && slow;
         if limit == 0.0 || !comes || !mesh.is_wall(segment) {
             return false;
         }

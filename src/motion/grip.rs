@@ -132,15 +132,10 @@ impl Body {
     ) -> bool {
         let mesh = self.ground(terrain);
         let grip = self.grip();
-        let ground = |on: &Onward| mesh.walkable(on.segment);
-        if grip == Grip::None
-            || joint.before.1 < 0 && onward.is_some_and(|on| on.towards && ground(on))
-        {
-            return false;
-        }
-        let Some(edge) = self.edge() else {
+        let Some(edge) = self.edge().filter(|_| grip != Grip::None) else {
             return false;
         };
+        let ground = |on: &Onward| on.towards && mesh.walkable(on.segment);
         match beyond(mesh, edge, joint.heading, &joint.track) {
             Beyond::Wall(next, s) if grip == Grip::Over || is_climbable(mesh, next, terrain) => {
                 let way = joint.onto(mesh, next, s);
@@ -149,6 +144,7 @@ impl Body {
                     on.grip = grip;
                 }
             }
+            _ if joint.before.1 < 0 && onward.is_some_and(ground) => return false,
             Beyond::Top(next, s) => {
                 let on = joint.onto(mesh, next, s);
                 self.settle(s, next, on.start, 0.0, 0.0, terrain, trace);
@@ -246,7 +242,7 @@ impl Body {
             return;
         };
         if let Mode::Surface(on) = &mut self.mode {
-            (on.edge, on.segment) = (edge, segment);
+            (on.edge, on.segment, on.track) = (edge, segment, mesh.track(segment));
         }
         self.grab(hang, trace);
     }

@@ -2,8 +2,8 @@
 
 use super::body::Surface;
 use super::terrain::Ground;
-use super::track::{Axis, Track};
-use super::vertex::{Heading, ahead, bridge, segment_at, surface_next, turns_towards};
+use super::track::{Axis, Track, cross};
+use super::vertex::{Heading, ahead, bridge, past_lips, segment_at, surface_next, turns_towards};
 use crate::geom::Point;
 use crate::mesh::{EdgeId, SegmentId};
 
@@ -18,41 +18,50 @@ pub enum Beyond {
     End,
 }
 
-/// Looks beyond the vertex ahead on an edge of a wall. Lips of rounding between a wall and its top are looked past.
+/// Looks beyond the vertex ahead on an edge of a wall, past the lips that rounding leaves there.
 pub fn beyond(mesh: Ground, e: EdgeId, heading: Heading, track: &Track) -> Beyond {
     let same_line = |s: SegmentId| mesh.track(s).same_line(track);
-    let onward = surface_next(mesh, e, heading)
-        .and_then(|next| Some((next, segment_at(mesh, next, same_line)?)));
-    let Some((next, s)) = onward else {
+    let at = |e: EdgeId| Some((e, segment_at(mesh, e, same_line)?));
+    let home = ahead(mesh, e, heading);
+    let Some((next, s)) = surface_next(mesh, e, heading).and_then(at) else {
         return Beyond::End;
     };
-    let directed = |track: &Track| track.heading(heading.sign(track));
-    let (before, after) = (directed(track), directed(&mesh.track(s)));
-    if same_line(s) {
-        return Beyond::Wall(next, s);
+    let judge = |(e, s)| judge(mesh, e, s, heading, track);
+    if !same_line(s) {
+        let far = past_lips(mesh, home, next, heading).and_then(at);
+        match far.filter(|far| far.1 != s).and_then(judge) {
+            None | Some(Beyond::End) => {}
+            Some(found) => return found,
+        }
     }
+    judge((next, s)).unwrap_or_else(|| match bridge(mesh, home, Some(next), heading) {
+        Some((edge, s)) if heading.sign(track) * track.tangent.y > 0.0 => Beyond::Top(edge, s),
+        _ => Beyond::End,
+    })
+}
+
+/// What an edge that a wall leads to is to it; `None` for what is neither a wall nor ground, but turns away.
+fn judge(mesh: Ground, e: EdgeId, s: SegmentId, heading: Heading, track: &Track) -> Option<Beyond> {
+    let next = mesh.track(s);
+    if next.same_line(track) {
+        return Some(Beyond::Wall(e, s));
+    }
+    let directed = |track: &Track| track.heading(heading.sign(track));
+    let (before, after) = (directed(track), directed(&next));
     if turns_towards(before, after, heading) {
-        return Beyond::End;
+        return Some(Beyond::End);
     }
     if mesh.walkable(s) {
-        return if before.1 > 0 {
-            Beyond::Top(next, s)
-        } else {
-            Beyond::End
-        };
+        return Some(match before.1 > 0 {
+            true => Beyond::Top(e, s),
+            false => Beyond::End,
+        });
     }
-    if mesh.is_wall(s) {
-        let goes_on = before.1.signum() == after.1.signum();
-        return if goes_on {
-            Beyond::Wall(next, s)
-        } else {
-            Beyond::End
-        };
-    }
-    match bridge(mesh, ahead(mesh, e, heading), Some(next), heading) {
-        Some((edge, s)) if before.1 > 0 => Beyond::Top(edge, s),
-        _ => Beyond::End,
-    }
+    let goes_on = before.1.signum() == after.1.signum();
+    mesh.is_wall(s).then_some(match goes_on {
+        true => Beyond::Wall(e, s),
+        false => Beyond::End,
+    })
 }
 
 /// The ground on top of a wall.
@@ -102,22 +111,19 @@ impl Surface {
         self.track.axis == Axis::Y
     }
 
-    /// The piece further up on the same line that holds a parameter, as an edge of the mesh and its feature edge.
+    /// The piece further up on the same line, lips of rounding apart, that holds a parameter: as an edge of the mesh and its
+    /// feature edge.
     pub(super) fn piece_above(&self, s: f64, mesh: Ground) -> Option<(EdgeId, SegmentId)> {
         let heading = self.heading(1.0);
-        let (mut edge, mut segment) = (self.edge, self.segment);
-        while self
-            .track
-            .parameter_of(mesh.point(ahead(mesh, edge, heading)))
-            < s
-        {
-            edge = surface_next(mesh, edge, heading)?;
-            let same_line = |s: SegmentId| s == segment || mesh.track(s).same_line(&self.track);
-            let next = segment_at(mesh, edge, same_line)?;
-            if !same_line(next) {
+        let (mut edge, mut segment, mut track) = (self.edge, self.segment, self.track);
+        while track.parameter_of(mesh.point(ahead(mesh, edge, heading))) < s {
+            let Beyond::Wall(next, onward) = beyond(mesh, edge, heading, &track) else {
+                return None;
+            };
+            (edge, segment, track) = (next, onward, mesh.track(onward));
+            if cross(track.heading(1.0), self.track.heading(1.0)) != 0 {
                 return None;
             }
-            segment = next;
         }
         Some((edge, segment))
     }

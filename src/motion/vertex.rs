@@ -241,6 +241,19 @@ pub fn is_lip(segment: &Segment) -> bool {
     near(segment.a, segment.b)
 }
 
+/// The edge of a surface that leads out of the reach of a joint: `next`, or one beyond the lips that rounding leaves there.
+pub fn past_lips(mesh: Ground, home: VertexId, next: EdgeId, heading: Heading) -> Option<EdgeId> {
+    let mut e = next;
+    // As for `along_surface`.
+    for _ in 0..50 {
+        if !near(mesh.point(ahead(mesh, e, heading)), mesh.point(home)) {
+            return Some(e);
+        }
+        e = surface_next(mesh, e, heading)?;
+    }
+    None
+}
+
 fn near(p: Point, home: Point) -> bool {
     p.x.abs_diff(home.x) <= JOINT_STEPS as u32 && p.y.abs_diff(home.y) <= JOINT_STEPS as u32
 }

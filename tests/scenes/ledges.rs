@@ -413,3 +413,17 @@ fn feet_that_barely_miss_a_ledge_are_lifted_onto_it() {
         assert_eq!(corrected(run), None);
     });
 }
+
+#[test]
+fn a_fast_fall_is_not_stopped_by_a_ledge_that_is_barely_missed() {
+    // At the wall after 1/4 s, 1/16 m too low and 7.5 m/s faster than at first.
+    let scene = cliff().tune(|t| (t.ledge_correction, t.ledge_correction_speed) = (0.125, 10.0));
+    for (down, granted) in [(2.5, true), (2.5 + 1e-9, false), (20.0, false)] {
+        at_all_rates(&scene, |run, rate| {
+            run.spawn(-HALF - 1.0, 0.25 * down + 0.9375 - 0.0625)
+                .velocity(4.0, -down)
+                .ticks(rate as u32 / 2, rate);
+            assert_eq!(corrected(run).is_some(), granted);
+        });
+    }
+}

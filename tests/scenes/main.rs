@@ -9,6 +9,7 @@ mod found;
 mod ground;
 mod ladders;
 mod ledges;
+mod lips;
 mod movers;
 mod moving;
 mod moving_ladders;
