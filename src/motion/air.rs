@@ -7,13 +7,13 @@ use super::law;
 use super::roots::exit;
 use super::terrain::{Ground, Terrain};
 use super::track::{Track, delta};
-use super::vertex::{JOINT_STEPS, segment_at};
+use super::vertex::{Bearing, JOINT_STEPS, Sector, sector, segment_at};
 use crate::geom::{Point, STEP};
-use crate::mesh::{EdgeId, SegmentId};
+use crate::mesh::{EdgeId, SegmentId, VertexId};
 use glam::DVec2;
 
 /// How far a hit on a piece of a feature edge that rounding has displaced may lie from the feature edge itself, m.
-const DISPLACED: f64 = 4.0 * STEP;
+pub(super) const DISPLACED: f64 = 4.0 * STEP;
 
 impl Air {
     /// The first of: leaving the face, reaching a speed limit.
@@ -41,7 +41,9 @@ impl Air {
                 self.t0 + self.on_feature_edge(mesh, e, dt),
                 Next::Hit(e, dt),
             ),
-            false => (self.t0 + dt, Next::Cross(e, dt)),
+            false => self
+                .passes_end(mesh, e, dt)
+                .unwrap_or((self.t0 + dt, Next::Cross(e, dt))),
         });
         let limit = self
             .limits
@@ -135,6 +137,45 @@ impl Air {
             .min_by(|a, b| a.0.total_cmp(&b.0))
     }
 
+    /// When a flight along an edge that it touches, or that it falls through, passes the end of that, where the free edge `e` begins, and where it leads
+    /// from there: if it crosses the line of that edge later, at `dt`, and only beyond this end.
+    fn passes_end(&self, mesh: Ground, e: EdgeId, dt: f64) -> Option<(f64, Next)> {
+        if !self.is_beyond(mesh, e, dt) {
+            return None;
+        }
+        let there = self.position(self.t0 + dt);
+        let away = |w: &VertexId| (mesh.point(*w).metres() - there).length();
+        let ends = [mesh.origin(e), mesh.dest(e)].into_iter();
+        let end = ends.min_by(|a, b| away(a).total_cmp(&away(b)))?;
+        let meets = |e: &EdgeId| mesh.origin(*e) == end || mesh.dest(*e) == end;
+        let sides = mesh.sides(self.face);
+        let mut at_end = sides.into_iter().filter(meets);
+        let along_through = |e: EdgeId| {
+            let mut uses = mesh.uses(e);
+            self.through.filter(|&s| uses.any(|u| u.segment == s))
+        };
+        let touched = at_end.find_map(|e| match mesh.blocks(e) {
+            true => self.touched(mesh, e),
+            false => along_through(e),
+        })?;
+        let track = mesh.track(touched);
+        let along = |p: DVec2| track.parameter(p);
+        let (left, past) = (along(self.p0), along(there));
+        let mark = track.parameter_of(mesh.point(end));
+        let sign = (past - mark).signum();
+        let (u, a) = (along(self.v0), along(self.accel));
+        let at = exit((mark - left) * sign, -u * sign, -0.5 * a * sign, self.since);
+        let at = at.filter(|&at| at < dt)?;
+        let bearing = Bearing::of(self.velocity(self.t0 + at), self.accel);
+        let spoke = sides.into_iter().find(|&e| mesh.origin(e) == end)?;
+        let next = match sector(mesh, spoke, bearing) {
+            Sector::Free(face) if face == self.face => return None,
+            Sector::Free(face) => Next::Cross(mesh.sym(mesh.sides(face)[0]), at),
+            Sector::Solid(out, _) => Next::Hit(out, at),
+        };
+        Some((self.t0 + at, next))
+    }
+
     /// Signed area distance to the line from `from` to `to`, positive on its left, and its derivatives: c, b, e of [`exit`].
     /// Anchored at the lower point, so that a mirrored world gives the same bits.
     pub(super) fn distance(&self, from: Point, to: Point) -> (f64, f64, f64) {
@@ -148,6 +189,13 @@ impl Air {
         )
     }
 
+    /// At most how far the body moves between two times after `t0`: the way, not the distance, for a motion along an edge that
+    /// turns comes back to where it was.
+    pub(super) fn way(&self, from: f64, to: f64) -> f64 {
+        let (speed, span) = (self.velocity(self.t0 + from).length(), (to - from).abs());
+        (speed + 0.5 * self.accel.length() * span) * span
+    }
+
     /// The time of a hit on a piece of a feature edge is that on the feature edge itself: a piece that was cut lies up to
     /// half a step beside it, and so cuts elsewhere along it change nothing, nor does which of several collinear edges is hit.
     fn on_feature_edge(&self, mesh: Ground, e: EdgeId, dt: f64) -> f64 {
@@ -155,12 +203,9 @@ impl Air {
             return dt;
         };
         let (c, b, q) = mesh.track(s).height(self.p0, self.v0, self.accel);
-        // The way between the two times, not the distance: a motion along the edge that turns comes back to where it was.
-        let speed = self.velocity(self.t0 + dt).length();
-        let way = |span: f64| (speed + 0.5 * self.accel.length() * span) * span;
         let c = if c >= -STEP { c.max(0.0) } else { c };
         exit(c, b, q, self.since)
-            .filter(|&there| way((there - dt).abs()) <= DISPLACED)
+            .filter(|&there| self.way(dt, there) <= DISPLACED)
             .unwrap_or(dt)
     }
 }

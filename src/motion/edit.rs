@@ -25,6 +25,8 @@ pub struct Anchor {
     segment: Option<Segment>,
     /// Those that it has just left or touched in flight.
     touching: [Option<Segment>; 2],
+    /// The one-way that it is falling through.
+    through: Option<Segment>,
 }
 
 /// The surroundings that decide about a body at rest or on its way to the next event.
@@ -48,6 +50,14 @@ impl Body {
             seen: self.seen(ground, face),
             segment: segment.map(named),
             touching: touching.map(|s| s.map(named)),
+            through: self.falls_through().map(named),
+        }
+    }
+
+    fn falls_through(&self) -> Option<SegmentId> {
+        match &self.mode {
+            Mode::Air(air) => air.through,
+            _ => None,
         }
     }
 
@@ -80,7 +90,8 @@ impl Body {
         let same = |s: SegmentId, old: &Segment| again(ground, old) == Some(s);
         let (segment, touching) = self.in_contact();
         let known = touching.iter().zip(&anchor.touching);
-        let mut known = known.chain([(&segment, &anchor.segment)]);
+        let through = self.falls_through();
+        let mut known = known.chain([(&segment, &anchor.segment), (&through, &anchor.through)]);
         known.all(|(now, old)| now.zip(*old).is_none_or(|(s, old)| same(s, &old)))
             && ground.is_face(anchor.face)
             && !ground.is_solid(anchor.face)
@@ -183,6 +194,7 @@ impl Body {
         air.touching = anchor
             .touching
             .map(|old| old.and_then(|old| again(ground, &old)));
+        air.through = anchor.through.and_then(|old| again(ground, &old));
         match free_face(ground, p, v, air.accel) {
             Ok(face) if !is_in_solid(ground, p) => {
                 (air.face, air.since) = (face, now - air.t0);
@@ -232,8 +244,8 @@ impl Body {
     }
 }
 
-/// A feature edge after an edit: the one with the same source and ends.
-fn again(ground: Ground, old: &Segment) -> Option<SegmentId> {
+/// A feature edge after an edit, or in the mesh of another size: the one with the same source and ends.
+pub(super) fn again(ground: Ground, old: &Segment) -> Option<SegmentId> {
     let s = ground.segment_of(old.feature, old.source)?;
     (ground.segment(s) == old).then_some(s)
 }

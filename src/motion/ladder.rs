@@ -9,7 +9,7 @@
 //! the ladder, and what is held takes hold again only when it rises no more. Who lets go (down and jump) or steps off has to
 //! press anew, or to stand first; down, in any case, anew.
 
-use super::body::{Body, EventKind, Mode, Trace};
+use super::body::{Air, Body, EventKind, Mode, Next, Trace};
 use super::grip::Grip;
 use super::joint::{Joint, Onward};
 use super::law::Law;
@@ -89,7 +89,7 @@ impl Body {
                 let v = on.track.tangent * on.speed(self.time);
                 let accel = self.climb_accel(v, terrain.tuning);
                 let away = on.track.normal.dot(accel) > 0.0;
-                (inside && away).then_some(Hold::Off)
+                (inside && away && self.stays_on_ladder(v, accel, terrain)).then_some(Hold::Off)
             }
             Mode::Surface(on) => {
                 let mesh = self.ground(terrain);
@@ -100,6 +100,30 @@ impl Body {
             Mode::Wedge(_) => (inside && wish.y > 0.0).then_some(Hold::Off),
             Mode::Crushed(_) => None,
         }
+    }
+
+    /// Whether a climb that begins here is not over at once, because it leads over the side of the ladder.
+    fn stays_on_ladder(&self, v: DVec2, accel: DVec2, terrain: &Terrain) -> bool {
+        if self.frame.is_some() {
+            return true;
+        }
+        let mesh = self.ground(terrain).climbed(true);
+        let mut climb = Air {
+            v0: v,
+            accel,
+            touching: self.left_behind(terrain),
+            ..Air::resting(self.local_position(), self.face(&mesh))
+        };
+        while let Some((_, Next::Cross(e, since))) = climb.next(mesh)
+            && since == 0.0
+            && let Some(beyond) = mesh.left(mesh.sym(e))
+        {
+            climb.face = beyond;
+            if !mesh.is_ladder(beyond) {
+                return false;
+            }
+        }
+        true
     }
 
     /// Loses its hold outside of ladders, and takes hold where it wants to and can.
@@ -179,7 +203,12 @@ impl Body {
     /// along that.
     pub(super) fn choose_on_ladder(&mut self, t: &Motion) {
         let goal = self.climb_wish() * t.climb_speed;
-        let accel = self.climb_accel(self.local_velocity(), t);
+        // From the base of the piece: a mere touch leaves the piece as it is.
+        let base = match &self.mode {
+            Mode::Air(air) => air.v0,
+            _ => self.local_velocity(),
+        };
+        let accel = self.climb_accel(base, t);
         match &mut self.mode {
             Mode::Air(air) => {
                 let reached = air.t0 + (goal - air.v0).length() / t.climb_accel;

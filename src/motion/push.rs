@@ -332,7 +332,7 @@ impl Body {
     }
 
     /// The two surfaces that hold a wedged body, at rest on each of them.
-    fn sides_of_wedge(&self, terrain: &Terrain) -> Option<[Surface; 2]> {
+    pub(super) fn sides_of_wedge(&self, terrain: &Terrain) -> Option<[Surface; 2]> {
         let Mode::Wedge(wedge) = &self.mode else {
             return None;
         };

@@ -1,9 +1,14 @@
 //! Changes of size: allowed iff the mesh of the new size says that the place is free. They never shift a body.
 
-use super::body::{Air, Body, EventKind, Mode, Next, Size, SpawnError, Surface, Trace};
+use super::air::DISPLACED;
+use super::body::{Air, Body, EventKind, Mode, Next, Size, SpawnError, Surface, Trace, Wedge};
+use super::edit::again;
+use super::roots::exit;
 use super::terrain::{Ground, Terrain};
 use super::track::{Track, delta};
-use super::vertex::{Bearing, JOINT_STEPS, Sector, face_towards, sector, spokes};
+use super::vertex::{
+    Bearing, JOINT_STEPS, Sector, face_towards, fan_ends, sector, segment_at, spokes,
+};
 use crate::geom::{Point, STEP};
 use crate::mesh::{EdgeId, FaceId, Kind, Place, SegmentId, VertexId};
 use glam::DVec2;
@@ -18,14 +23,24 @@ pub(super) fn free_face(
     v: DVec2,
     accel: DVec2,
 ) -> Result<FaceId, SpawnError> {
+    free_face_at(mesh, p, Bearing::of(v, accel), f64::INFINITY)
+}
+
+/// The same, for a position that is known to be off the feature edges themselves but for some rounding, m.
+fn free_face_at(
+    mesh: Ground,
+    p: DVec2,
+    bearing: Bearing,
+    rounding: f64,
+) -> Result<FaceId, SpawnError> {
     if !p.is_finite() {
         return Err(SpawnError::Outside);
     }
     let free = |f: Option<FaceId>| f.filter(|&f| !mesh.is_solid(f));
     let found = match mesh.locate(p, None).ok_or(SpawnError::Outside)? {
         Place::Face(f) => free(Some(f))
-            .or_else(|| beside(mesh, f, p))
-            .or_else(|| about(mesh, corner_near(mesh, f, p)?, Bearing::of(v, accel))),
+            .or_else(|| beside(mesh, f, p, rounding))
+            .or_else(|| about(mesh, corner_near(mesh, f, p)?, bearing)),
         Place::Edge(e) => {
             let sides = [e, mesh.sym(e)];
             let front = sides.into_iter().find(|&e| mesh.blocks(e));
@@ -34,9 +49,9 @@ pub(super) fn free_face(
         }
         Place::Vertex(w) => {
             if let Some(e) = one_way_spoke(mesh, w) {
-                return face_towards(mesh, e, Bearing::of(v, accel)).ok_or(SpawnError::Solid);
+                return face_towards(mesh, e, bearing).ok_or(SpawnError::Solid);
             }
-            about(mesh, w, Bearing::of(v, accel))
+            about(mesh, w, bearing)
         }
     };
     found.ok_or(SpawnError::Solid)
@@ -77,8 +92,9 @@ fn one_way_spoke(mesh: Ground, w: VertexId) -> Option<EdgeId> {
     spokes(mesh, w).find_map(front)
 }
 
-/// The free face across an edge of a solid one that is at most a step away.
-fn beside(mesh: Ground, solid: FaceId, p: DVec2) -> Option<FaceId> {
+/// The free face across an edge of a solid one that is at most a step away, where the position is on the free side of a feature
+/// edge along that but for rounding.
+fn beside(mesh: Ground, solid: FaceId, p: DVec2, rounding: f64) -> Option<FaceId> {
     mesh.sides(solid)
         .into_iter()
         .map(|e| mesh.sym(e))
@@ -88,7 +104,9 @@ fn beside(mesh: Ground, solid: FaceId, p: DVec2) -> Option<FaceId> {
             let (dx, dy) = delta(a, b);
             let d = DVec2::new(dx as f64, dy as f64);
             let depth = -d.perp_dot(p - a.metres()) / d.length();
-            mesh.left(e).filter(|_| depth <= STEP)
+            let outside = |s| mesh.track(s).height(p, p, p).0 >= -rounding;
+            mesh.left(e)
+                .filter(|_| depth <= STEP && mesh.facing(e).any(outside))
         })
 }
 
@@ -171,10 +189,7 @@ impl Body {
             && !on_border
         {
             let old = *terrain.ground_under(carrier, self.size).segment(on.segment);
-            let same = mesh
-                .segment_of(old.feature, old.source)
-                .filter(|&s| (mesh.segment(s).a, mesh.segment(s).b) == (old.a, old.b));
-            if let Some(segment) = same {
+            if let Some(segment) = again(mesh, &old) {
                 let from = terrain.ground_under(carrier, self.size);
                 let was = [from.origin(on.edge), from.dest(on.edge)].map(|v| from.point(v));
                 let edge = piece_at(mesh, segment, on.s0, &on.track, Some(was));
@@ -185,17 +200,45 @@ impl Body {
                 return edge.is_some();
             }
         }
+        if let Some(wedge) = self.same_wedge(mesh, terrain) {
+            self.mode = Mode::Wedge(wedge);
+            return true;
+        }
         // Not on anything that both sizes share: in the air, then, where it is.
         let down = DVec2::new(0.0, -1.0);
-        let Ok(face) = free_face(mesh, p, v, down) else {
+        let Ok(face) = free_face_at(mesh, p, Bearing::of(v, down), self.rounding()) else {
             return false;
         };
         let face = self.same_side(face, mesh, terrain);
         match &mut self.mode {
-            Mode::Air(air) => (air.face, air.touching) = (face, [None; 2]),
+            Mode::Air(air) => {
+                let old = terrain.ground_under(carrier, self.size);
+                let same = |s: Option<SegmentId>| again(mesh, old.segment(s?));
+                (air.face, air.touching) = (face, air.touching.map(same));
+                air.through = same(air.through);
+            }
             _ => self.fly(p, v, face, [None; 2]),
         }
         true
+    }
+
+    /// The same corner between the same two feature edges in the mesh of another size, where a body is wedged now.
+    fn same_wedge(&self, new: Ground, terrain: &Terrain) -> Option<Wedge> {
+        let (sides, old) = (self.sides_of_wedge(terrain)?, self.ground(terrain));
+        let corner = old.point(old.origin(sides[0].edge));
+        let Place::Vertex(w) = new.locate(corner.metres(), None)? else {
+            return None;
+        };
+        let [a, b] = sides.map(|side| again(new, old.segment(side.segment)));
+        let holds = |e: EdgeId, s: Option<SegmentId>| new.facing(e).any(|f| Some(f) == s);
+        let between = |&e: &EdgeId| {
+            let free = new.left(e).is_some_and(|f| !new.is_solid(f));
+            let ends = fan_ends(new, e).filter(|_| free);
+            ends.is_some_and(|(out, into)| holds(out, a) && holds(into, b))
+        };
+        let face = spokes(new, w).find(between).and_then(|e| new.left(e))?;
+        let at = self.local_position();
+        Some(Wedge { at, face })
     }
 
     /// A body that waits to stand up does so as soon as there is room, within the tick.
@@ -211,7 +254,16 @@ impl Body {
         let clear = match &self.mode {
             Mode::Surface(on) => self.clear_along(on, terrain),
             Mode::Air(air) => clear_in_flight(air, self.time, until, terrain.ground(Size::Stand))
-                .map(|at| (at, None)),
+                .map(|at| {
+                    (
+                        if at > self.time {
+                            at
+                        } else {
+                            air.a_step_on(self.time)
+                        },
+                        None,
+                    )
+                }),
             Mode::Wedge(_) | Mode::Crushed(_) => None,
         };
         // Where other frames are in the way, room in its own is not enough.
@@ -255,6 +307,25 @@ impl Body {
     }
 }
 
+impl Air {
+    /// When the body has moved by about a step: what did not decide here may do so there.
+    fn a_step_on(&self, now: f64) -> f64 {
+        let speed = self.velocity(now).length() + (self.accel.length() * STEP).sqrt();
+        now + STEP / speed
+    }
+
+    /// When the body comes out of the feature edge along an edge: about when it comes over that, `at`.
+    fn comes_out(&self, mesh: Ground, e: EdgeId, at: f64) -> f64 {
+        let Some(s) = segment_at(mesh, e, |_| false) else {
+            return at;
+        };
+        let (c, b, q) = mesh.track(s).height(self.p0, self.v0, self.accel);
+        let out = exit(-c, -b, -q, self.since);
+        out.filter(|&out| self.way(at, out) <= DISPLACED)
+            .unwrap_or(at)
+    }
+}
+
 /// When a parabola comes out of the solids of a mesh: a walk through its solid faces. Not after `until`.
 pub(super) fn clear_in_flight(air: &Air, now: f64, until: f64, mesh: Ground) -> Option<f64> {
     let Place::Face(face) = mesh.locate(air.position(now), None)? else {
@@ -267,11 +338,12 @@ pub(super) fn clear_in_flight(air: &Air, now: f64, until: f64, mesh: Ground) -> 
     };
     while way.t0 + way.since < until {
         let (at, e) = way.way_out(mesh)?;
-        way.face = mesh.left(mesh.sym(e))?;
-        way.since = at;
+        let out = mesh.sym(e);
+        way.face = mesh.left(out)?;
         if !mesh.is_solid(way.face) {
-            return Some(way.t0 + way.since);
+            return Some(way.t0 + way.comes_out(mesh, out, at));
         }
+        way.since = at;
     }
     None
 }

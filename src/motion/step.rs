@@ -245,11 +245,15 @@ impl Body {
         v += self.remembered(terrain);
         // In a corner the wall takes up what goes into it: its piece there may have been displaced, and tell nothing.
         let wall = self.wall_beside(mesh);
-        if let Some(wall) = wall {
-            let normal = mesh.track(wall).normal;
-            v -= normal * normal.dot(v).min(0.0);
-        }
         let [first, second] = self.left_behind(terrain);
+        if let Some(wall) = wall {
+            let normal = |s: SegmentId| mesh.track(s).normal;
+            v -= normal(wall) * normal(wall).dot(v).min(0.0);
+            // In a crevice, which narrows upwards, that leads into the ground: there is no way to jump.
+            if first.is_some_and(|ground| normal(ground).dot(v) < 0.0) {
+                v = DVec2::ZERO;
+            }
+        }
         let touching = [first, wall.or(second)];
         self.fly(p, v, face, touching);
         if std::mem::take(&mut self.climbing) {
