@@ -14,7 +14,11 @@ use std::hash::{BuildHasherDefault, Hasher};
 pub struct Buckets {
     /// Cells have 2^shift steps.
     shift: u32,
-    heads: HashMap<u64, u32, BuildHasherDefault<CellHasher>>,
+    /// Blocks of four by four cells by their place: cells next to each other share a cache line.
+    blocks: HashMap<u64, u32, BuildHasherDefault<CellHasher>>,
+    /// For each block the first link of each of its cells.
+    heads: Vec<[u32; 16]>,
+    vacant: Vec<u32>,
     links: Vec<Link>,
     free: u32,
 }
@@ -44,6 +48,9 @@ impl Hasher for CellHasher {
     fn write_i32(&mut self, n: i32) {
         self.write_u64(u64::from(n as u32));
     }
+    fn write_usize(&mut self, n: usize) {
+        self.write_u64(n as u64);
+    }
     fn write_u64(&mut self, n: u64) {
         let wide = u128::from(self.0.rotate_left(32) ^ n) * 0x9e37_79b9_7f4a_7c15;
         self.0 = wide as u64 ^ (wide >> 64) as u64;
@@ -55,7 +62,9 @@ impl Buckets {
     pub fn new(shift: u32) -> Self {
         Buckets {
             shift,
-            heads: HashMap::default(),
+            blocks: HashMap::default(),
+            heads: Vec::new(),
+            vacant: Vec::new(),
             links: Vec::new(),
             free: NONE,
         }
@@ -63,6 +72,20 @@ impl Buckets {
 
     fn key(column: i64, row: i64) -> u64 {
         ((column as u64) << 32) | u64::from(row as u32)
+    }
+
+    /// The block of a cell, and the cell's number in it.
+    fn place(cell: u64) -> (u64, usize) {
+        let (column, row) = ((cell >> 32) as i32, cell as i32);
+        let block = Self::key(i64::from(column >> 2), i64::from(row >> 2));
+        (block, (4 * (column & 3) + (row & 3)) as usize)
+    }
+
+    /// The first link of a cell's list.
+    fn head(&self, cell: u64) -> u32 {
+        let (block, i) = Self::place(cell);
+        let block = self.blocks.get(&block);
+        block.map_or(NONE, |&block| self.heads[block as usize][i])
     }
 
     /// The cell of a point.
@@ -99,7 +122,11 @@ impl Buckets {
 
     /// The items of a cell.
     pub fn items(&self, cell: u64) -> impl Iterator<Item = u32> + '_ {
-        let mut at = self.heads.get(&cell).copied().unwrap_or(NONE);
+        self.items_from(self.head(cell))
+    }
+
+    /// The items of a cell's list from a link on.
+    pub fn items_from(&self, mut at: u32) -> impl Iterator<Item = u32> + '_ {
         std::iter::from_fn(move || {
             let link = self.links.get(at as usize)?;
             at = link.next;
@@ -117,10 +144,17 @@ impl Buckets {
         cells.flat_map(|(column, row)| self.items(Self::key(column, row)))
     }
 
-    /// Adds an item to a cell.
-    pub fn add(&mut self, cell: u64, item: u32) {
-        let head = self.heads.entry(cell).or_insert(NONE);
-        let link = Link { item, next: *head };
+    /// Adds an item to a cell. The link from which on its list has the items that were there.
+    pub fn add(&mut self, cell: u64, item: u32) -> u32 {
+        let (block, i) = Self::place(cell);
+        let block = *self.blocks.entry(block).or_insert_with(|| {
+            self.vacant.pop().unwrap_or_else(|| {
+                self.heads.push([NONE; 16]);
+                self.heads.len() as u32 - 1
+            })
+        });
+        let head = &mut self.heads[block as usize][i];
+        let (link, before) = (Link { item, next: *head }, *head);
         if self.free == NONE {
             *head = self.links.len() as u32;
             self.links.push(link);
@@ -128,14 +162,17 @@ impl Buckets {
             *head = self.free;
             self.free = std::mem::replace(&mut self.links[*head as usize], link).next;
         }
+        before
     }
 
     /// Removes an item from a cell, if it is there.
     pub fn remove(&mut self, cell: u64, item: u32) {
-        let Some(head) = self.heads.get_mut(&cell) else {
+        let (block, i) = Self::place(cell);
+        let Some(&index) = self.blocks.get(&block) else {
             return;
         };
-        let (mut before, mut at) = (NONE, *head);
+        let heads = &mut self.heads[index as usize];
+        let (mut before, mut at) = (NONE, heads[i]);
         while at != NONE && self.links[at as usize].item != item {
             (before, at) = (at, self.links[at as usize].next);
         }
@@ -146,10 +183,12 @@ impl Buckets {
         self.free = at;
         if before != NONE {
             self.links[before as usize].next = next;
-        } else if next != NONE {
-            *head = next;
         } else {
-            self.heads.remove(&cell);
+            heads[i] = next;
+            if *heads == [NONE; 16] {
+                self.blocks.remove(&block);
+                self.vacant.push(index);
+            }
         }
     }
 }
@@ -200,6 +239,15 @@ mod tests {
         buckets.remove(1, 10);
         buckets.add(3, 7);
         assert_eq!(buckets.links.len(), 4, "links are used again");
+        let [near, far] = [0, 1 << 20].map(|x| buckets.cell_of(Point::new(x, 0)));
+        buckets.remove(3, 7);
+        buckets.remove(2, 10);
+        buckets.add(far, 1);
+        assert_eq!(buckets.heads.len(), 1, "and so are blocks");
+        assert_eq!(
+            (items(&buckets, near), items(&buckets, far)),
+            (vec![], vec![1])
+        );
     }
 
     #[test]

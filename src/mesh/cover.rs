@@ -44,6 +44,19 @@ pub struct Covers {
     solid: Vec<bool>,
     /// Those of the features that stop nobody.
     regions: BTreeSet<FeatureId>,
+    /// What was added to what last, and what it gave: faces next to each other mostly have the same cover.
+    sum: Option<Sum>,
+    /// Scratch for a cover that is not interned yet.
+    scratch: Windings,
+}
+
+/// A cover, so many windings of a feature more, and the cover that this makes. Both are in use.
+#[derive(Clone, Copy, Debug)]
+struct Sum {
+    from: CoverId,
+    feature: FeatureId,
+    winding: i32,
+    to: CoverId,
 }
 
 impl Covers {
@@ -63,6 +76,8 @@ impl Covers {
             of_face: vec![EMPTY],
             solid: vec![true],
             regions: BTreeSet::new(),
+            sum: None,
+            scratch: Windings::new(),
         }
     }
 
@@ -141,6 +156,7 @@ impl Covers {
         if cover.faces == 0 && id != EMPTY {
             self.ids.remove(&cover.windings);
             self.vacant.push(id);
+            self.sum = self.sum.filter(|sum| sum.from != id && sum.to != id);
         }
     }
 
@@ -162,28 +178,32 @@ impl Covers {
             self.forget(face);
         }
         let (mut inner, mut border) = (Vec::new(), Vec::new());
-        let mut scratch = Windings::new();
-        for &face in new {
-            if self.of_face[face as usize] != UNKNOWN || !t.is_face(face) {
-                continue;
-            }
-            let known = |&e: &Quarter| self.of_face[t.left(sym(e)) as usize] != UNKNOWN;
-            border.extend(t.sides(face).into_iter().find(known));
-            // Into the unknown, as far as it goes.
-            while let Some(e) = inner.pop().or_else(|| border.pop()) {
-                if self.of_face[t.left(e) as usize] == UNKNOWN {
+        let mut scratch = std::mem::take(&mut self.scratch);
+        // First from face to face as they lie in memory, each with what no edge parts from it; then, wherever that found nothing
+        // to begin with, on across the borders.
+        for across in [false, true] {
+            for &face in new {
+                if self.of_face[face as usize] != UNKNOWN || !t.is_face(face) {
+                    continue;
+                }
+                let known = |&e: &Quarter| self.of_face[t.left(sym(e)) as usize] != UNKNOWN;
+                inner.extend(t.sides(face).into_iter().find(known));
+                while let Some(e) = inner.pop().or_else(|| border.pop()) {
+                    if self.of_face[t.left(e) as usize] != UNKNOWN {
+                        continue;
+                    }
                     self.enter(t, e, &mut scratch, gain);
                     for beyond in [t.lnext(e), t.lprev(e)].map(sym) {
-                        let stack = if is_free(beyond) {
-                            &mut inner
-                        } else {
-                            &mut border
-                        };
-                        stack.push(beyond);
+                        if is_free(beyond) {
+                            inner.push(beyond);
+                        } else if across {
+                            border.push(beyond);
+                        }
                     }
                 }
             }
         }
+        self.scratch = scratch;
     }
 
     /// Sets the cover of the face left of an edge from that of the face on its right.
@@ -207,11 +227,27 @@ impl Covers {
 
     /// Adds to the winding of one feature around a face.
     pub fn add(&mut self, face: u32, feature: FeatureId, winding: i32) {
-        let mut windings = self.windings(face).clone();
-        windings.push((feature, winding));
-        merge(&mut windings);
-        let cover = self.intern(&windings);
-        self.set(face, cover);
+        let from = self.of_face[face as usize];
+        let known = |sum: &Sum| (sum.from, sum.feature, sum.winding) == (from, feature, winding);
+        if let Some(sum) = self.sum.filter(known) {
+            return self.set(face, sum.to);
+        }
+        let mut windings = std::mem::take(&mut self.scratch);
+        windings.clone_from(self.windings(face));
+        match windings.binary_search_by_key(&feature, |w| w.0) {
+            Ok(i) if windings[i].1 + winding == 0 => drop(windings.remove(i)),
+            Ok(i) => windings[i].1 += winding,
+            Err(i) => windings.insert(i, (feature, winding)),
+        }
+        let to = self.intern(&windings);
+        self.scratch = windings;
+        self.sum = Some(Sum {
+            from,
+            feature,
+            winding,
+            to,
+        });
+        self.set(face, to);
     }
 
     /// Checks, given all faces, that each cover knows how many of them have it, and that the others are vacant.

@@ -4,19 +4,15 @@
 //! re-routed chains: between an old chain and a new one lie only such faces. A feature that comes or goes
 //! also changes the cover of the old faces inside it, which are found from its chain inwards.
 
-use super::cover::{Covers, Windings};
+use super::cover::Windings;
 use super::topology::{Quarter, sym};
-use super::{FeatureId, Mesh};
+use super::uses::Uses;
+use super::{FeatureId, Mesh, Segment};
 
 impl Mesh {
     /// By how much more each feature winds around the left of an edge than around its right.
     pub(super) fn gain(&self, e: Quarter, gains: &mut Windings) {
-        for u in self.uses.of(e) {
-            if self.winds[u.segment.index()] {
-                let feature = self.segments[u.segment.index()].feature;
-                gains.push((feature, if u.forward { 1 } else { -1 }));
-            }
-        }
+        gain(&self.uses, &self.segments, &self.winds, e, gains);
     }
 
     /// By how much more one feature winds around the left of an edge than around its right.
@@ -31,15 +27,16 @@ impl Mesh {
 
     /// Gives new faces their covers, leaving one feature out of account.
     pub(super) fn spread(&mut self, without: Option<FeatureId>) {
-        let new = self.triangulation.topology.take_touched();
-        let mut covers = std::mem::replace(&mut self.covers, Covers::new());
-        let is_free = |e: Quarter| self.uses.is_empty(e);
-        covers.spread(&self.triangulation.topology, &new, &is_free, &|e, gains| {
-            self.gain(e, gains);
+        let topology = &mut self.triangulation.topology;
+        topology.take_touched(&mut self.rewired);
+        let (uses, segments, winds) = (&self.uses, &self.segments, &self.winds);
+        let is_free = |e: Quarter| uses.is_empty(e);
+        let others = |e, gains: &mut Windings| {
+            gain(uses, segments, winds, e, gains);
             gains.retain(|g| Some(g.0) != without);
-        });
-        self.covers = covers;
-        self.rewired = new;
+        };
+        self.covers
+            .spread(topology, &self.rewired, &is_free, &others);
     }
 
     /// Adds a feature that was just inserted to the covers of the faces inside it.
@@ -83,31 +80,19 @@ impl Mesh {
         let mut winding = 0;
         let mut found = Vec::new();
         for i in 0..chain.len() {
-            let around = self.windings_around(feature, at, winding);
-            found.extend(around.iter().map(|&(q, winding)| (t.left(q), winding)));
-            let towards = chain[(i + 1) % chain.len()];
-            let onwards = around.iter().find(|&&(q, _)| t.dest(q) == towards);
-            let &(q, left) = onwards.expect("each piece of a chain is an edge");
-            (at, winding) = (t.lnext(q), left);
+            // Around the vertex from `at`, left of which the winding is known.
+            let (towards, mut onwards) = (chain[(i + 1) % chain.len()], None);
+            winding -= self.gain_of(feature, at);
+            for q in t.ring_from(at) {
+                winding += self.gain_of(feature, q);
+                found.push((t.left(q), winding));
+                if t.dest(q) == towards {
+                    onwards = Some((t.lnext(q), winding));
+                }
+            }
+            (at, winding) = onwards.expect("each piece of a chain is an edge");
         }
         found
-    }
-
-    /// The edges around the origin of an edge, beginning with it, each with how often a feature winds around
-    /// its left face, which is given for the first.
-    fn windings_around(
-        &self,
-        feature: FeatureId,
-        at: Quarter,
-        winding: i32,
-    ) -> Vec<(Quarter, i32)> {
-        let mut winding = winding - self.gain_of(feature, at);
-        let ring = self.triangulation.topology.ring_from(at);
-        ring.map(|q| {
-            winding += self.gain_of(feature, q);
-            (q, winding)
-        })
-        .collect()
     }
 
     /// Takes a feature that is about to be removed out of the covers of the faces inside it.
@@ -127,5 +112,13 @@ impl Mesh {
                 stack.extend(t.sides(face).map(|e| t.left(sym(e))));
             }
         }
+    }
+}
+
+/// By how much more each feature that winds at all does so around the left of an edge than around its right.
+fn gain(uses: &Uses, segments: &[Segment], winds: &[bool], e: Quarter, gains: &mut Windings) {
+    for u in uses.of(e).filter(|u| winds[u.segment.index()]) {
+        let feature = segments[u.segment.index()].feature;
+        gains.push((feature, if u.forward { 1 } else { -1 }));
     }
 }

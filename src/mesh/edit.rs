@@ -210,11 +210,13 @@ impl Mesh {
         }
         self.triangulation.legalise();
         let points = self.arrangement.points();
-        let born = self.nearby_order(&diff.born);
-        if let Some(v) = born.first().and_then(|first| self.neighbour(*first)) {
+        // In the order in which they were found, neighbours in the list are mostly neighbours in the plane.
+        let born = diff.born.as_slice();
+        if let Some(v) = born.first().and_then(|&first| self.neighbour(first)) {
             self.triangulation.start_at(v.0);
         }
-        for v in born {
+        self.triangulation.reserve(born.len());
+        for &v in born {
             self.triangulation.insert(v.0, points[v.index()]);
         }
         let rerouted = diff.rerouted.iter().map(|r| (r.segment, r.new.as_slice()));
@@ -244,16 +246,6 @@ impl Mesh {
             .topology
             .edge_between(pair[0].0, pair[1].0);
         edge.expect("each piece of a chain is an edge")
-    }
-
-    /// Vertices in an order in which neighbours in the list are mostly neighbours in the plane.
-    fn nearby_order(&self, vertices: &[VertexId]) -> Vec<VertexId> {
-        let mut keyed: Vec<(u64, VertexId)> = vertices
-            .iter()
-            .map(|&v| (hilbert(self.arrangement.points()[v.index()]), v))
-            .collect();
-        keyed.sort_unstable();
-        keyed.into_iter().map(|(_, v)| v).collect()
     }
 }
 

@@ -8,12 +8,10 @@
 //! originals, never pieces. An edit is a batch: it reports the pixels that heat up or cool down, and each
 //! segment whose chain changes because of that.
 
-use super::buckets::{Buckets, CellHasher};
+use super::buckets::Buckets;
 use super::{SegmentId, VertexId};
 use crate::geom::Point;
 use crate::geom::predicates::{crosses, crossing_pixel, meets_pixel};
-use std::collections::HashMap;
-use std::hash::BuildHasherDefault;
 
 /// Ends and chain of one original segment.
 #[derive(Clone, Debug)]
@@ -57,11 +55,14 @@ pub struct Arrangement {
     /// Point of each hot pixel by vertex id.
     points: Vec<Point>,
     free_vertices: Vec<VertexId>,
-    vertex_at: HashMap<Point, VertexId, BuildHasherDefault<CellHasher>>,
     segments: Buckets,
     pixels: Buckets,
     /// Scratch: cells of the segment being looked at.
     cells: Vec<u64>,
+    /// Scratch: its crossings with others.
+    crossings: Vec<Point>,
+    /// Scratch: its chain.
+    chain: Vec<VertexId>,
 }
 
 impl Arrangement {
@@ -74,10 +75,11 @@ impl Arrangement {
             free_segments: Vec::new(),
             points: reserved.to_vec(),
             free_vertices: Vec::new(),
-            vertex_at: HashMap::default(),
             segments: Buckets::new(shift),
             pixels: Buckets::new(shift),
             cells: Vec::new(),
+            crossings: Vec::new(),
+            chain: Vec::new(),
         }
     }
 
@@ -112,7 +114,7 @@ impl Arrangement {
             diff.rerouted.push(Reroute { segment, old, new });
         }
         let survivors = self.originals.len() > self.free_segments.len() + remove.len();
-        self.vertex_at.reserve(add.len());
+        self.originals.reserve(add.len());
         for &(a, b) in add {
             let segment = self.register(a, b, &mut diff.born);
             diff.added.push(segment);
@@ -157,29 +159,34 @@ impl Arrangement {
         self.heat(a, born);
         self.heat(b, born);
         let mut cells = std::mem::take(&mut self.cells);
-        let mut crossings = Vec::new();
+        let mut crossings = std::mem::take(&mut self.crossings);
         self.segments.cells_along(a, b, &mut cells);
         for &cell in &cells {
-            for other in self.segments.items(cell) {
+            let others = self.segments.add(cell, segment.0);
+            for other in self.segments.items_from(others) {
                 let (c, d) = self.ends(SegmentId(other));
                 if boxes_meet((a, b), (c, d)) && crosses(a, b, c, d) {
                     crossings.push(crossing_pixel(a, b, c, d));
                 }
             }
-            self.segments.add(cell, segment.0);
         }
-        for p in crossings {
+        for p in crossings.drain(..) {
             self.heat(p, born);
         }
-        self.cells = cells;
+        (self.cells, self.crossings) = (cells, crossings);
         segment
     }
 
     /// Makes the pixel of a grid point hot, if it is not.
     fn heat(&mut self, p: Point, born: &mut Vec<VertexId>) {
-        let std::collections::hash_map::Entry::Vacant(entry) = self.vertex_at.entry(p) else {
+        let cell = self.pixels.cell_of(p);
+        if self
+            .pixels
+            .items(cell)
+            .any(|v| self.points[v as usize] == p)
+        {
             return;
-        };
+        }
         let v = self
             .free_vertices
             .pop()
@@ -188,9 +195,8 @@ impl Arrangement {
             Some(free) => *free = p,
             None => self.points.push(p),
         }
-        entry.insert(v);
         born.push(v);
-        self.pixels.add(self.pixels.cell_of(p), v.0);
+        self.pixels.add(cell, v.0);
     }
 
     /// Segments in the buckets that meet the pixel of a grid point.
@@ -267,7 +273,6 @@ impl Arrangement {
     fn bury(&mut self, dead: &[VertexId]) {
         for &v in dead {
             let p = self.points[v.index()];
-            self.vertex_at.remove(&p);
             self.pixels.remove(self.pixels.cell_of(p), v.0);
             self.free_vertices.push(v);
         }
@@ -276,7 +281,8 @@ impl Arrangement {
     /// The hot pixels that a segment meets, from end to end.
     fn find_chain(&mut self, segment: SegmentId) -> Vec<VertexId> {
         let (a, b) = self.ends(segment);
-        let mut chain = Vec::new();
+        let mut chain = std::mem::take(&mut self.chain);
+        chain.clear();
         self.pixels.cells_along(a, b, &mut self.cells);
         for &cell in &self.cells {
             chain.extend(
@@ -287,7 +293,9 @@ impl Arrangement {
             );
         }
         self.sort_along(segment, &mut chain);
-        chain
+        let found = chain.clone(); // exactly as much room as it needs
+        self.chain = chain;
+        found
     }
 
     /// Sorts pixels that a segment meets in its direction. Rounding is monotone, so both coordinates are.

@@ -108,6 +108,15 @@ impl Topology {
         self.origin(self.lprev(q))
     }
 
+    /// Start, end, left and right corner of the quadrangle around an edge.
+    #[inline]
+    pub fn quadrangle(&self, q: Quarter) -> [u32; 4] {
+        let QuadEdge { next, data } = self.quads[(q >> 2) as usize];
+        let (here, there) = ((q & 3) as usize, (sym(q) & 3) as usize);
+        let (left, right) = (self.dest(next[here]), self.dest(next[there]));
+        [data[here], data[there], left, right]
+    }
+
     /// One edge that starts at a vertex.
     #[inline]
     pub fn vertex_edge(&self, v: u32) -> Quarter {
@@ -210,20 +219,26 @@ impl Topology {
         t
     }
 
+    /// Makes room for so many more vertices, with the edges and faces that come with them.
+    pub fn reserve(&mut self, vertices: usize) {
+        self.vertex_edge.reserve(vertices);
+        self.quads.reserve(3 * vertices);
+        self.face_edge.reserve(2 * vertices);
+        self.touched.reserve(2 * vertices);
+    }
+
     /// A loose edge between two vertices: `make_edge` of the paper.
     fn make_edge(&mut self, v: u32, w: u32) -> Quarter {
-        let quad = self.free_quads.pop().unwrap_or_else(|| {
-            self.quads.push(QuadEdge {
-                next: [NONE; 4],
-                data: [NONE; 4],
-            });
-            self.quads.len() as u32 - 1
-        });
+        let quad = self.free_quads.pop().unwrap_or(self.quads.len() as u32);
         let q = 4 * quad;
-        self.quads[quad as usize] = QuadEdge {
+        let edge = QuadEdge {
             next: [q, q + 3, q + 2, q + 1],
             data: [v, NONE, w, NONE],
         };
+        match self.quads.get_mut(quad as usize) {
+            Some(free) => *free = edge,
+            None => self.quads.push(edge),
+        }
         self.vertex_edge[v as usize] = q;
         self.vertex_edge[w as usize] = sym(q);
         q
@@ -257,15 +272,24 @@ impl Topology {
     #[inline]
     pub fn set_triangle(&mut self, sides: [Quarter; 3], face: u32) {
         let [x, y, z] = sides;
-        for (q, next) in [(x, y), (y, z), (z, x)] {
-            self.set_next(inv_rot(q), inv_rot(next));
-            self.set_origin(inv_rot(q), face);
-            self.set_next(next, sym(q));
-        }
+        self.set_side(x, z, y, face);
+        self.set_side(y, x, z, face);
+        self.set_side(z, y, x, face);
         self.face_edge[face as usize] = x;
         self.touch(face);
     }
 
+    /// Makes an edge a side of a triangle, between the sides before and after it.
+    #[inline]
+    fn set_side(&mut self, q: Quarter, before: Quarter, after: Quarter, face: u32) {
+        let quad = &mut self.quads[(q >> 2) as usize];
+        let dual = (inv_rot(q) & 3) as usize;
+        quad.next[(q & 3) as usize] = sym(before);
+        quad.next[dual] = inv_rot(after);
+        quad.data[dual] = face;
+    }
+
+    #[inline]
     fn touch(&mut self, face: u32) {
         if !self.touched[face as usize] {
             self.touched[face as usize] = true;
@@ -307,13 +331,17 @@ impl Topology {
     ///        o                  o
     /// ```
     pub fn flip(&mut self, e: Quarter) {
-        let (n1, n2) = (self.lnext(e), self.lprev(e));
-        let (m1, m2) = (self.lnext(sym(e)), self.lprev(sym(e)));
-        let (f, g) = (self.left(e), self.left(sym(e)));
+        // All of it is in the record of e.
+        let QuadEdge { next, data } = self.quads[(e >> 2) as usize];
+        let (q, p) = ((e & 3) as usize, (sym(e) & 3) as usize);
+        let (q_dual, p_dual) = ((inv_rot(e) & 3) as usize, (rot(e) & 3) as usize);
+        let (n1, n2) = (rot(next[q_dual]), sym(next[q]));
+        let (m1, m2) = (rot(next[p_dual]), sym(next[p]));
+        let [o, d, f, g] = [data[q], data[p], data[q_dual], data[p_dual]];
         self.set_ends(e, self.origin(m2), self.origin(n2));
         // The rings of o and d lose the edge.
-        self.anchor(m1);
-        self.anchor(n1);
+        self.vertex_edge[o as usize] = m1;
+        self.vertex_edge[d as usize] = n1;
         self.set_triangle([e, n2, m1], f);
         self.set_triangle([sym(e), m2, n1], g);
     }
@@ -333,7 +361,9 @@ impl Topology {
         if self.vertex_edge.len() <= v as usize {
             self.vertex_edge.resize(v as usize + 1, NONE);
         }
-        let [p, q, r] = [x, y, z].map(|side| self.make_edge(v, self.origin(side)));
+        let p = self.make_edge(v, self.origin(x));
+        let q = self.make_edge(v, self.origin(y));
+        let r = self.make_edge(v, self.origin(z));
         let (g, h) = (self.make_face(), self.make_face());
         self.set_triangle([x, sym(q), p], face);
         self.set_triangle([y, sym(r), q], g);
@@ -370,12 +400,13 @@ impl Topology {
         faces[0]
     }
 
-    /// The faces made, changed or removed since the last call, in order of the first change.
-    pub fn take_touched(&mut self) -> Vec<u32> {
+    /// Writes the faces made, changed or removed since the last call to a list, in order of the first change.
+    pub fn take_touched(&mut self, list: &mut Vec<u32>) {
         for &f in &self.touched_list {
             self.touched[f as usize] = false;
         }
-        std::mem::take(&mut self.touched_list)
+        list.clear();
+        std::mem::swap(list, &mut self.touched_list);
     }
 }
 

@@ -93,22 +93,22 @@ impl Triangulation {
         self.suspects.push(q);
     }
 
-    /// Start, end, left and right corner of the quadrangle around an edge.
-    #[inline]
-    fn quadrangle(&self, e: Quarter) -> [Point; 4] {
-        let t = &self.topology;
-        [t.origin(e), t.dest(e), t.apex(e), t.apex(sym(e))].map(|v| self.point(v))
-    }
-
     /// Whether a free edge is legal.
     #[inline]
     pub fn is_legal(&self, e: Quarter) -> bool {
-        let [o, d, l, r] = self.quadrangle(e);
+        let [o, d, l, r] = self.topology.quadrangle(e);
+        let (o, d, l, r) = (self.point(o), self.point(d), self.point(l), self.point(r));
         match in_circle(o, d, l, r).cmp(&0) {
             Ordering::Less => true,
             Ordering::Greater => false,
             Ordering::Equal => o.min(d) < l.min(r),
         }
+    }
+
+    /// Makes room for so many more vertices.
+    pub fn reserve(&mut self, vertices: usize) {
+        self.points.reserve(vertices);
+        self.topology.reserve(vertices);
     }
 
     /// Lets the next insertion look for its place from a vertex.
@@ -148,18 +148,23 @@ impl Triangulation {
     fn legalise_around(&mut self, v: u32) {
         let mut opposite: Vec<Quarter> = std::mem::take(&mut self.suspects);
         let settled = opposite.len();
-        opposite.extend(
-            self.topology
-                .ring(v)
-                .map(|spoke| self.topology.lnext(spoke)),
-        );
+        let first = self.topology.vertex_edge(v);
+        let mut spoke = first;
+        loop {
+            opposite.push(self.topology.lnext(spoke));
+            spoke = self.topology.onext(spoke);
+            if spoke == first {
+                break;
+            }
+        }
         while opposite.len() > settled {
             let Some(e) = opposite.pop() else { break };
             if !self.is_fixed(e) && !self.is_legal(e) {
                 // v is the left corner; beyond are the two sides of the right triangle.
                 let (m1, m2) = (self.topology.lnext(sym(e)), self.topology.lprev(sym(e)));
                 self.topology.flip(e);
-                opposite.extend([m1, m2]);
+                opposite.push(m1);
+                opposite.push(m2);
             }
         }
         self.suspects = opposite;
