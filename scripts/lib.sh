@@ -29,6 +29,7 @@ package_names() {
     case "$1:$2" in
         apt-get:compiler) echo g++ ;;
         apt-get:sdl2) echo libsdl2-dev ;;
+        *:valgrind) echo valgrind ;;
         apt-get:opengl) echo libegl1 libgl1-mesa-dri ;;
         dnf:compiler) echo gcc-c++ ;;
         dnf:sdl2) echo SDL2-devel ;;
@@ -48,6 +49,7 @@ package_names() {
 have() {
     case "$1" in
         compiler) have_commands cc c++ ;;
+        valgrind) have_commands valgrind ;;
         sdl2) links_with -lSDL2 ;;
         opengl) [[ "$(uname)" == Darwin ]] || { links_with -l:libEGL.so.1 && have_mesa_driver; } ;;
     esac
