@@ -98,10 +98,25 @@ impl Air {
     fn comes_back_to(&self, mesh: Ground, segment: SegmentId) -> Option<f64> {
         let track = mesh.track(segment);
         let (c, b, q) = track.height(self.p0, self.v0, self.accel);
-        let on_it = (-STEP..=0.0).contains(&c);
-        let along = on_it && b.abs() <= 16.0 * f64::EPSILON * self.v0.length();
+        // In another frame a height above it may be rounding too.
+        let highest = if self.grain > 0.0 {
+            self.rounding()
+        } else {
+            0.0
+        };
+        let on_it = (-STEP..=highest).contains(&c);
+        let grain = match self.grain > 0.0 {
+            true => self.grain + f64::EPSILON * self.t0.abs() * self.accel.length(),
+            false => 0.0,
+        };
+        let along = on_it && b.abs() <= 16.0 * f64::EPSILON * self.v0.length() + grain;
         let (c, b) = (if on_it { 0.0 } else { c }, if along { 0.0 } else { b });
         exit(c, b, q, self.since)
+    }
+
+    /// What rounding makes of the position at the start of the piece, m.
+    fn rounding(&self) -> f64 {
+        16.0 * f64::EPSILON * self.p0.abs().max_element().max(1.0)
     }
 
     /// Whether more of an edge lies ahead of the motion than behind it, so long after `t0`.
@@ -332,7 +347,8 @@ impl Body {
         let Mode::Surface(on) = &self.mode else {
             return;
         };
-        if !on.walkable && on.grip == Grip::None && self.pulled_off(&on.track, on.u0, terrain) {
+        let held = on.walkable || on.grip != Grip::None || self.is_pinned(on.track.normal);
+        if !held && self.pulled_off(&on.track, on.u0, terrain) {
             let (segment, v, face) = (
                 on.segment,
                 on.track.tangent * on.u0,

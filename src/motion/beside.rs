@@ -17,6 +17,9 @@ use crate::mesh::{EdgeId, FaceId, Mesh, SegmentId};
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
+/// What rounding makes of a velocity that is worked out from others, relative to the sum of their sizes.
+pub(super) const ROUNDING: f64 = 64.0 * f64::EPSILON;
+
 /// The place of a body in a frame that does not carry it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Beside {
@@ -37,7 +40,7 @@ pub struct Beside {
 
 impl Beside {
     /// At rest in a face, until [`Beside::follow`] says otherwise.
-    fn new(frame: Option<Ride>, at: DVec2, face: FaceId) -> Beside {
+    pub(super) fn new(frame: Option<Ride>, at: DVec2, face: FaceId) -> Beside {
         Beside {
             frame,
             flight: Air::resting(at, face),
@@ -74,17 +77,20 @@ impl Beside {
     }
 
     /// Takes up a motion of the body, if it or that of the frame is new.
-    fn follow(&mut self, body: Piece, now: f64, size: Size, terrain: &Terrain) {
+    /// `grain`: what rounding may have made of the body's velocity.
+    fn follow(&mut self, body: Piece, grain: f64, now: f64, size: Size, terrain: &Terrain) {
         if self.of == Some(body) {
             return;
         }
-        let seen = body.seen_from(&self.piece());
+        let piece = self.piece();
+        let seen = body.seen_from(&piece);
         let mesh = self.ground(size, terrain);
         let (from, to) = (self.flight.position(now), seen.offset(now));
         let air = &mut self.flight;
         air.face = moved(mesh, air.face, from, to);
         (air.t0, air.p0, air.v0, air.accel) = (seen.t0, seen.p0, seen.v0, seen.accel);
         (air.since, air.limits) = (now - seen.t0, [None; 2]); // those belong to the body's own motion
+        air.grain = grain + piece.rounding(now);
         let apart = |s| mesh.track(s).height(to, to, to).0.abs() > STEP;
         air.through = air.through.filter(|&s| !apart(s));
         self.of = Some(body);
@@ -208,26 +214,33 @@ impl Body {
         Ok(())
     }
 
+    /// Takes up the present motion in all other frames.
+    pub(super) fn follow(&mut self, terrain: &Terrain) {
+        let (now, size, motion) = (self.time, self.size, self.motion());
+        let grain = self.frame_piece().rounding(now) + ROUNDING * self.local_velocity().length();
+        for beside in &mut self.beside {
+            beside.climb(self.climbing, size, terrain);
+            beside.follow(motion, grain, now, size, terrain);
+        }
+    }
+
     /// The first of the body's own next event, a node of what carries it, and the events in all other frames.
     pub(super) fn first_of_all(
         &mut self,
         own: Option<(f64, Next)>,
         terrain: &Terrain,
     ) -> Option<(f64, Next)> {
-        let (now, size) = (self.time, self.size);
-        let motion = self.motion();
+        self.follow(terrain);
         let node = self.frame.and_then(|ride| ride.until);
         let mut first = Next::node_before(node, own);
-        for (i, beside) in self.beside.iter_mut().enumerate() {
-            beside.climb(self.climbing, size, terrain);
-            beside.follow(motion, now, size, terrain);
+        for (i, beside) in self.beside.iter().enumerate() {
             if let Some((at, _)) = beside.next
                 && first.is_none_or(|(earliest, _)| at < earliest)
             {
                 first = Some((at, Next::Beside(i as u32)));
             }
         }
-        first.map(|(at, what)| (at.max(now), what))
+        first.map(|(at, what)| (at.max(self.time), what))
     }
 
     /// An event in another frame.
@@ -324,79 +337,6 @@ impl Body {
             beside.of = of;
             beside.plan(self.time, self.size, terrain);
         }
-    }
-
-    /// Another frame begins the next piece of its path. True if the body's own motion does not depend on it.
-    fn take_up_node(&mut self, i: usize, terrain: &Terrain, trace: &mut Trace) -> bool {
-        let (now, p, v) = (self.time, self.position(), self.velocity());
-        let beside = &mut self.beside[i];
-        let Some(old) = beside.frame else {
-            return true;
-        };
-        let new = Ride::at(old.mover, now, terrain.movers);
-        (beside.frame, beside.of) = (Some(new), None);
-        let leap = new.piece.offset(now) - old.piece.offset(now);
-        if beside.contact.is_some() {
-            self.rebase();
-        }
-        let beside = &mut self.beside[i];
-        if leap.abs().max_element() > f64::from(JOINT_STEPS) * STEP {
-            let mesh = beside.ground(self.size, terrain);
-            let at = p - new.piece.offset(now);
-            match free_face(mesh, at, v - new.piece.velocity(now), DVec2::NEG_Y) {
-                Ok(face) => *beside = Beside::new(Some(new), at, face),
-                Err(_) => self.crush(terrain, trace),
-            }
-            return false;
-        }
-        if beside.contact.is_some() && new.piece != old.piece {
-            self.log(EventKind::Node(old.mover), trace);
-        }
-        self.beside[i].contact.is_none()
-    }
-
-    /// Takes up the paths as they are now, after the game has started or stopped a moving solid, or has added or removed some.
-    /// An event for those whom one carries or presses on that goes another way from now on; the motion of all others
-    /// keeps every bit.
-    pub fn take_up_paths(&mut self, terrain: &Terrain, trace: &mut Trace) {
-        if matches!(self.mode, Mode::Crushed(_)) {
-            return;
-        }
-        let known = self.beside.len();
-        if known != terrain.movers.len() {
-            self.go_down_to_the_level(terrain);
-            if self.find_places(terrain).is_err() {
-                self.crush(terrain, trace);
-            }
-            return self.refresh(terrain, trace);
-        }
-        let now = self.time;
-        let is_new = |ride: Ride| Ride::at(ride.mover, now, terrain.movers) != ride;
-        let mut is_event = false;
-        for i in 0..known {
-            let entry = self.beside.get(i);
-            if entry.is_some_and(|b| b.frame.is_some_and(is_new)) {
-                is_event |= !self.take_up_node(i, terrain, trace);
-            }
-        }
-        if self.frame.is_some_and(is_new) {
-            self.ride_on(terrain, trace);
-            is_event = true;
-        }
-        match is_event {
-            true => self.refresh(terrain, trace),
-            false => self.schedule(terrain),
-        }
-    }
-
-    /// What carries the body may be no more: in the air, where it is, as fast as it was.
-    fn go_down_to_the_level(&mut self, terrain: &Terrain) {
-        if self.frame.is_none() {
-            return;
-        }
-        let face = self.level_face(terrain.mesh(self.size));
-        self.fly(self.position(), self.velocity(), face, [None; 2]);
-        self.frame = None;
     }
 
     /// The place of a rider in the level.

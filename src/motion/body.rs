@@ -61,6 +61,9 @@ pub struct Air {
     pub lock: Option<Lock>,
     /// The feature edge of a one-way that the body lets itself fall through, while it is not yet apart from it.
     pub through: Option<SegmentId>,
+    /// What rounding may have made of the velocity where that is the difference of two, the body's and a frame's, m/s; else 0.
+    #[serde(default)]
+    pub grain: f64,
 }
 
 /// On a surface: a quadratic along a feature edge.
@@ -231,6 +234,7 @@ impl Air {
             touching: [None; 2],
             lock: None,
             through: None,
+            grain: 0.0,
         }
     }
 

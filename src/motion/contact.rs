@@ -5,20 +5,20 @@
 //! the bound, a quadratic again. It ends when the body's own law would lead it away, or when it has slid past the end of the edge
 //! that presses. Where the bounds leave no speed, the body is crushed, at that very time.
 
-use super::beside::Beside;
-use super::body::{Air, Body, Mode, Next, Trace};
+use super::beside::{Beside, ROUNDING};
+use super::body::{Air, Body, EventKind, Mode, Next, Surface, Trace};
+use super::grip::Grip;
+use super::joint::Onward;
 use super::mover::Piece;
 use super::roots::exit;
 use super::size::piece_at;
 use super::terrain::{Ground, Terrain};
 use super::track::{Axis, Track};
+use super::vertex::JOINT_STEPS;
 use crate::geom::{Point, STEP};
 use crate::mesh::{EdgeId, SegmentId};
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
-
-/// What rounding makes of a speed that was worked out in two ways, relative to the largest part of it.
-const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// An edge of another frame that presses on a body.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -90,25 +90,53 @@ struct Bound {
     accel: f64,
     /// It stands across the surface and closes in.
     closes: bool,
-    /// What rounding may have made of `speed`.
+    /// What rounding may have made of `speed`, that of the time of an event included.
     rounding: f64,
+    /// The same of `accel`.
+    accel_rounding: f64,
 }
 
 impl Bound {
-    /// Of a contact with normal `n` that moves as `piece`, for a body on a road with tangent `t` that is carried by `mine`.
-    fn new(entry: usize, n: DVec2, t: DVec2, piece: Piece, mine: Piece, now: f64) -> Bound {
-        let lever = n.dot(t);
+    /// Of a contact with normal `n` that moves as `piece`, for a body that is carried by `mine` on a road along which that normal
+    /// has the part `lever`.
+    fn new(entry: usize, n: DVec2, lever: f64, piece: Piece, mine: Piece, now: f64) -> Bound {
         let closing = n.dot(piece.velocity(now) - mine.velocity(now));
         let closing_accel = n.dot(piece.accel - mine.accel);
-        let sizes = |p: Piece| p.v0.length() + p.accel.length() * (now - p.t0);
+        let share = |size: f64| ROUNDING * size / lever.abs();
+        let accels = piece.accel.length() + mine.accel.length();
+        let accel = closing_accel / lever;
         Bound {
             entry,
             side: if lever == 0.0 { 0.0 } else { lever.signum() },
             speed: closing / lever,
-            accel: closing_accel / lever,
+            accel,
             closes: lever == 0.0 && (closing > 0.0 || closing == 0.0 && closing_accel > 0.0),
-            rounding: ROUNDING * (sizes(piece) + sizes(mine)) / lever.abs(),
+            rounding: share(piece.sizes(now) + mine.sizes(now)) + f64::EPSILON * now * accel.abs(),
+            accel_rounding: share(accels),
         }
+    }
+
+    /// Whether a speed is that of the bound, as rounding goes: then the contact is closed.
+    fn is_met(&self, u: f64) -> bool {
+        self.side != 0.0 && (u - self.speed).abs() <= self.rounding + ROUNDING * u.abs()
+    }
+
+    /// Whether it is, but for what the acceleration `accel` makes of it in a unit in the last place of the time: an open contact that
+    /// would close again at this very time is closed.
+    fn is_closed(&self, u: f64, accel: f64, now: f64) -> bool {
+        let closes = (accel - self.accel) * self.side < 0.0;
+        let drift = f64::EPSILON * now * (accel - self.accel).abs();
+        self.is_met(u) || closes && self.side != 0.0 && (u - self.speed).abs() <= drift
+    }
+
+    /// Whether a speed is beyond the bound, by more than rounding.
+    fn forbids(&self, u: f64) -> bool {
+        (u - self.speed) * self.side < 0.0 && !self.is_met(u)
+    }
+
+    /// Whether an acceleration leads away from the closed contact, by more than rounding.
+    fn opens(&self, accel: f64) -> bool {
+        (accel - self.accel) * self.side > self.accel_rounding + ROUNDING * accel.abs()
     }
 }
 
@@ -120,25 +148,38 @@ enum Verdict {
     Crushed,
 }
 
-/// The speed nearest to `u` within the bounds. Differences that rounding explains are none.
+/// The speed nearest to `u` within the bounds. Differences that rounding explains are none: a speed that meets a bound stays as
+/// it is, for the law that holds from it on may begin exactly there.
 fn allowed(bounds: &[Bound], u: f64) -> Verdict {
     let of = |side: f64| bounds.iter().filter(move |b| b.side == side);
-    let low = of(1.0).max_by(|a, b| a.speed.total_cmp(&b.speed));
-    let high = of(-1.0).min_by(|a, b| a.speed.total_cmp(&b.speed));
+    let rank = |b: &&Bound| (b.speed * b.side, b.rounding);
+    let tightest = |side: f64| {
+        let by =
+            |a: &&Bound, b: &&Bound| rank(a).partial_cmp(&rank(b)).expect("no NaN in a motion");
+        of(side).max_by(by)
+    };
+    let (low, high) = (tightest(1.0), tightest(-1.0));
     let shut = low
         .zip(high)
         .is_some_and(|(low, high)| low.speed - high.speed > low.rounding + high.rounding);
     if shut || bounds.iter().any(|b| b.closes) {
         return Verdict::Crushed;
     }
-    let met = |b: &&Bound| (b.speed - u) * b.side >= -(b.rounding + ROUNDING * u.abs());
-    Verdict::Speed(low.filter(met).or(high.filter(met)).map_or(u, |b| b.speed))
+    let bound = low.into_iter().chain(high).find(|b| b.forbids(u));
+    Verdict::Speed(bound.map_or(u, |b| b.speed))
 }
 
 impl Body {
     /// Whether another frame presses on the body.
     pub(super) fn is_pressed(&self) -> bool {
         self.beside.iter().any(|b| b.contact.is_some())
+    }
+
+    /// Whether another frame presses the body onto a surface with this normal. Then nothing pulls it off: it keeps to both, as it
+    /// does in a wedge, until the contact opens.
+    pub(super) fn is_pinned(&self, normal: DVec2) -> bool {
+        let pins = |b: &Beside| b.contact.is_some_and(|c| c.track.normal.dot(normal) < 0.0);
+        self.beside.iter().any(pins)
     }
 
     /// The moving solid that pushes the body along its surface, if one does.
@@ -151,15 +192,19 @@ impl Body {
     /// but not yet come apart from.
     fn driving(&self, beside: &Beside, terrain: &Terrain) -> Option<Contact> {
         let now = self.time;
-        let mesh = beside.ground(self.size, terrain);
         let segment = beside.contact.map(|c| c.segment);
         let segment = segment.or(beside.flight.touching[0])?;
-        let (track, (q, _)) = (mesh.track(segment), self.seen_from(beside));
         let mine = self.frame_piece();
-        let closes = track
-            .normal
-            .dot(beside.piece().velocity(now) - mine.velocity(now));
-        if closes <= 0.0 || track.height(q, q, q).0.abs() > STEP {
+        let closing = beside.piece().velocity(now) - mine.velocity(now);
+        self.at_hand(beside, segment, terrain)
+            .filter(|c| c.track.normal.dot(closing) > 0.0)
+    }
+
+    /// An edge of another frame that the body has not yet come apart from, as what would press on it.
+    fn at_hand(&self, beside: &Beside, segment: SegmentId, terrain: &Terrain) -> Option<Contact> {
+        let mesh = beside.ground(self.size, terrain);
+        let (track, (q, _)) = (mesh.track(segment), self.seen_from(beside));
+        if track.height(q, q, q).0.abs() > STEP {
             return None;
         }
         let edge = piece_at(mesh, segment, track.parameter(q), &track, None)?;
@@ -168,6 +213,39 @@ impl Body {
             track,
             edge,
         })
+    }
+
+    /// Whether the body, on a surface, runs into edges of other frames that it has not yet come apart from, against what it is on or
+    /// what presses on it: all of them decide at once. One after the other they would throw it to and fro, for ever at one time.
+    pub(super) fn meet_at_once(&mut self, terrain: &Terrain, trace: &mut Trace) {
+        for i in 0..self.beside.len() {
+            if let Some(contact) = self.runs_into(i, terrain) {
+                trace.touched += 1;
+                self.struck(i, contact.edge, terrain, trace);
+                self.press_speed(terrain, trace);
+            }
+        }
+    }
+
+    /// The edge of another frame that the body runs into so, if there is one.
+    fn runs_into(&self, i: usize, terrain: &Terrain) -> Option<Contact> {
+        let (Mode::Surface(on), Some(beside)) = (&self.mode, self.beside.get(i)) else {
+            return None;
+        };
+        let (_, w) = self.seen_from(beside);
+        let rounding = beside.piece().rounding(self.time) + ROUNDING * w.length();
+        let pressing = self.beside.iter().filter_map(|b| b.contact);
+        let against = |n: DVec2| {
+            n.dot(on.track.normal) < 0.0 || pressing.clone().any(|c| n.dot(c.track.normal) < 0.0)
+        };
+        let leads_into = |c: &Contact| {
+            let n = c.track.normal;
+            n.dot(w) < -rounding && against(n)
+        };
+        let touched = beside.flight.touching.into_iter().flatten();
+        let mut touched = touched.filter_map(|s| self.at_hand(beside, s, terrain));
+        let free = on.grip == Grip::None && beside.contact.is_none();
+        touched.find(leads_into).filter(|_| free)
     }
 
     /// Whether something of another frame would strike the body at once if it came to rest here.
@@ -191,16 +269,55 @@ impl Body {
     }
 
     /// The bounds of all contacts for a road in the present frame.
-    fn bounds(&self, track: &Track) -> Vec<Bound> {
-        let now = self.time;
-        let mine = self.frame_piece();
+    fn bounds(&self, segment: SegmentId, track: &Track, terrain: &Terrain) -> Vec<Bound> {
+        let (now, mine) = (self.time, self.frame_piece());
+        let length = self.ground(terrain).length(segment);
         let entries = self.beside.iter().enumerate();
-        entries
-            .filter_map(|(i, b)| {
-                let normal = b.contact?.track.normal;
-                Some(Bound::new(i, normal, track.tangent, b.piece(), mine, now))
-            })
-            .collect()
+        let bound = |(i, b): (usize, &Beside)| {
+            let contact = b.contact?;
+            let normal = contact.track.normal;
+            // What rounding has turned out of parallel, by less than the width of a joint over the shorter of both, is parallel.
+            let shorter = length.min(b.ground(self.size, terrain).length(contact.segment));
+            let lever = normal.dot(track.tangent);
+            let parallel = lever.abs() * shorter <= f64::from(JOINT_STEPS) * STEP;
+            let lever = if parallel { 0.0 } else { lever };
+            Some(Bound::new(i, normal, lever, b.piece(), mine, now))
+        };
+        entries.filter_map(bound).collect()
+    }
+
+    /// A contact on the same side as the surface, parallel to it, that overtakes it: from now on the body is on that. True if there
+    /// is one.
+    fn is_overtaken(&mut self, bounds: &[Bound], terrain: &Terrain, trace: &mut Trace) -> bool {
+        let Mode::Surface(on) = &self.mode else {
+            return false;
+        };
+        let overtakes = |b: &&Bound| {
+            let contact = self.beside[b.entry].contact;
+            b.closes && contact.is_some_and(|c| c.track.normal.dot(on.track.normal) > 0.0)
+        };
+        let Some(i) = bounds.iter().find(overtakes).map(|b| b.entry) else {
+            return false;
+        };
+        let beside = &self.beside[i];
+        let (mesh, (q, w)) = (beside.ground(self.size, terrain), self.seen_from(beside));
+        let Contact {
+            segment,
+            track,
+            edge,
+        } = beside.contact.expect("found above");
+        let (walks, mover) = (mesh.walkable(segment), beside.mover());
+        let place = (segment, track, edge);
+        let (s, u) = (track.parameter(q), track.tangent.dot(w));
+        let into = (-track.normal.dot(w)).max(0.0);
+        let kind = match (self.supported(), walks) {
+            (true, true) => EventKind::Boarded(mover),
+            (_, true) => EventKind::Landed(into),
+            _ => EventKind::Hit(into),
+        };
+        self.board(i, Surface::new(self.time, place, s, u, walks), terrain);
+        self.log(kind, trace);
+        true
     }
 
     /// Before the law is chosen: the speed that the contacts allow. Walled up in the direction of the push, the body is pressed
@@ -212,8 +329,10 @@ impl Body {
         let Mode::Surface(on) = &self.mode else {
             return self.release_all();
         };
-        let bounds = self.bounds(&on.track);
+        let bounds = self.bounds(on.segment, &on.track, terrain);
         match allowed(&bounds, on.speed(self.time)) {
+            // Each frame overtakes another one at most once.
+            _ if self.is_overtaken(&bounds, terrain, trace) => self.press_speed(terrain, trace),
             Verdict::Crushed => self.crush(terrain, trace),
             Verdict::Speed(u) => {
                 self.rebase();
@@ -232,12 +351,12 @@ impl Body {
         if !self.is_pressed() {
             return;
         }
-        let Mode::Surface(on) = &mut self.mode else {
+        let Mode::Surface(on) = &self.mode else {
             return;
         };
-        let (u, track, wish) = (on.u0, on.track, on.accel);
-        let bounds = self.bounds(&track);
-        let binds = |b: &&Bound| b.side != 0.0 && b.speed == u;
+        let (u, wish, now) = (on.u0, on.accel, self.time);
+        let bounds = self.bounds(on.segment, &on.track, terrain);
+        let binds = |b: &&Bound| b.is_closed(u, wish, now);
         let end = |side: f64| {
             bounds
                 .iter()
@@ -256,20 +375,21 @@ impl Body {
         {
             on.accel = accel;
             let marks = [on.limit.map_or(0.0, |(_, until)| until), 0.0];
-            let time = |mark: f64| (on.t0 + (mark - on.u0) / accel, mark);
             let rounding = bounds.iter().map(|b| b.rounding).fold(0.0, f64::max);
+            if on.u0 * accel < 0.0 && on.u0.abs() <= rounding {
+                on.u0 = 0.0; // no turn to wait for
+            }
+            let time = |mark: f64| (on.t0 + (mark - on.u0) / accel, mark);
             let ahead = marks
                 .into_iter()
-                .filter(|mark| (mark - on.u0) * accel.signum() > rounding);
+                .filter(|mark| accel != 0.0 && (mark - on.u0) * accel.signum() > rounding);
             on.limit = ahead.map(time).min_by(|a, b| a.0.total_cmp(&b.0));
             if accel * on.against > 0.0 {
                 on.against = 0.0;
             }
         }
         for b in &bounds {
-            let apart = (u - b.speed) * b.side;
-            let stays = apart == 0.0 && (accel - b.accel) * b.side <= 0.0;
-            if !stays {
+            if !b.is_closed(u, wish, now) || b.opens(accel) {
                 self.release(b.entry);
             }
         }
@@ -290,18 +410,20 @@ impl Body {
     }
 
     /// Whether a contact pushes in a direction along the present surface, and is not only leant on.
-    pub(super) fn presses_on(&self, direction: DVec2) -> bool {
+    pub(super) fn presses_on(&self, direction: DVec2, terrain: &Terrain) -> bool {
         let Mode::Surface(on) = &self.mode else {
             return false;
         };
         let ahead = on.track.tangent.dot(direction);
-        self.bounds(&on.track).iter().any(|b| b.side * ahead > 0.0)
+        let bounds = self.bounds(on.segment, &on.track, terrain);
+        bounds.iter().any(|b| b.side * ahead > 0.0)
     }
 
     /// At a joint, pressed: whether the contacts leave a speed along the next surface that leads away from the joint.
-    pub(super) fn squeezes(&self, onward: &Track, sign: f64, speed: f64) -> Option<f64> {
-        match allowed(&self.bounds(onward), sign * speed) {
-            Verdict::Speed(u) if u * sign >= 0.0 => Some(u),
+    pub(super) fn squeezes(&self, onward: &Onward, speed: f64, terrain: &Terrain) -> Option<f64> {
+        let bounds = self.bounds(onward.segment, &onward.track, terrain);
+        match allowed(&bounds, onward.sign * speed) {
+            Verdict::Speed(u) if u * onward.sign >= 0.0 => Some(u),
             _ => None,
         }
     }

@@ -81,7 +81,20 @@ impl Body {
             Mode::Surface(_) => self.stand_again(anchor, terrain, trace),
             Mode::Air(_) => self.fly_on(anchor, terrain, trace),
             Mode::Wedge(_) => self.come_loose(EventKind::Parted, terrain, trace),
-            Mode::Crushed(_) => {}
+            Mode::Crushed(_) => self.lie(ground),
+        }
+    }
+
+    /// Crushed: where it lies, whatever is there now.
+    fn lie(&mut self, ground: Ground) {
+        if let Mode::Crushed(crushed) = &mut self.mode {
+            let face = match ground.locate(crushed.at, None) {
+                Some(Place::Face(face)) => Some(face),
+                Some(Place::Edge(e)) => ground.left(e).or(ground.left(ground.sym(e))),
+                Some(Place::Vertex(v)) => spokes(ground, v).find_map(|e| ground.left(e)),
+                None => None,
+            };
+            crushed.face = face.unwrap_or(crushed.face);
         }
     }
 

@@ -149,6 +149,11 @@ impl Body {
                 let on = joint.onto(mesh, next, s);
                 self.settle(s, next, on.start, 0.0, 0.0, terrain, trace);
             }
+            _ if self.presses_on(joint.track.tangent * joint.sign, terrain) => {
+                // Nobody holds on against what drives him over the end of the wall.
+                self.hold_on(Grip::None, EventKind::LetGo, trace);
+                return false;
+            }
             _ => {
                 self.stop(joint, onward, trace, mesh);
                 if grip == Grip::Over {

@@ -220,7 +220,11 @@ impl Body {
             }
             Some(on) if !on.towards => self.leave_or_snap(joint, Some(&on), terrain, trace),
             None if joint.next.is_none() => self.leave_or_snap(joint, None, terrain, trace),
-            Some(on) if keeps(&joint, &on, false, mesh, terrain) && climbs(joint.speed, t) => {
+            Some(on)
+                if keeps(&joint, &on, false, mesh, terrain)
+                    && climbs(joint.speed, t)
+                    && self.squeezes(&on, joint.speed, terrain).is_some() =>
+            {
                 self.bend(&on, joint.speed, terrain, trace);
             }
             on if self.is_pressed_at_joint(terrain) => self.squeeze(joint, on, terrain, trace),
@@ -271,7 +275,7 @@ impl Body {
             surface.since = (now - surface.t0).max(surface.since);
             return true;
         }
-        if on.towards && self.is_shut(&joint, &on) {
+        if on.towards && self.is_shut(&joint, &on, terrain) {
             self.crush(terrain, trace);
             return false;
         }
@@ -376,12 +380,13 @@ impl Body {
         terrain: &Terrain,
         trace: &mut Trace,
     ) {
+        let mesh = self.ground(terrain);
+        let blocks = onward.as_ref().is_none_or(|on| on.towards);
+        if blocks && self.is_pressed_at_joint(terrain) {
+            return self.squeeze(joint, onward, terrain, trace);
+        }
         if self.climbing {
             return self.ladder_joint(joint, onward, terrain, trace);
-        }
-        let mesh = self.ground(terrain);
-        if self.is_pressed_at_joint(terrain) && onward.as_ref().is_none_or(|on| on.towards) {
-            return self.squeeze(joint, onward, terrain, trace);
         }
         if self.climb_joint(&joint, onward.as_ref(), terrain, trace) {
             return;

@@ -87,8 +87,8 @@ impl Body {
             Mode::Surface(on) if wish.y > 0.0 => {
                 // Only if that leads off the ground: else he would land again at once.
                 let v = on.track.tangent * on.speed(self.time);
-                let accel = self.climb_accel(v, terrain.tuning);
-                let away = on.track.normal.dot(accel) > 0.0;
+                let accel = self.climb_accel(self.velocity(), terrain.tuning);
+                let away = self.climbs_away(on.track.normal, terrain.tuning);
                 (inside && away && self.stays_on_ladder(v, accel, terrain)).then_some(Hold::Off)
             }
             Mode::Surface(on) => {
@@ -97,7 +97,10 @@ impl Body {
                 let goes_on = self.frame.is_none() && mesh.is_one_way(on.edge);
                 (goes_on && mesh.is_ladder(below)).then_some(Hold::Below(below))
             }
-            Mode::Wedge(_) => (inside && wish.y > 0.0).then_some(Hold::Off),
+            Mode::Wedge(_) => {
+                let away = wish.y > 0.0 && self.climbs_away(DVec2::Y, terrain.tuning);
+                (inside && away).then_some(Hold::Off)
+            }
             Mode::Crushed(_) => None,
         }
     }
@@ -124,6 +127,12 @@ impl Body {
             }
         }
         true
+    }
+
+    /// Whether one who took hold here and now would be driven away from ground with this normal, however that moves.
+    fn climbs_away(&self, normal: DVec2, t: &Motion) -> bool {
+        let accel = self.climb_accel(self.velocity(), t);
+        normal.dot(accel - self.frame_accel()) > 0.0
     }
 
     /// Loses its hold outside of ladders, and takes hold where it wants to and can.
@@ -202,11 +211,11 @@ impl Body {
     /// The accelerations of one who climbs: towards the velocity that he wishes for; along something steep, towards its part
     /// along that.
     pub(super) fn choose_on_ladder(&mut self, t: &Motion) {
-        let goal = self.climb_wish() * t.climb_speed;
+        let goal = self.climb_goal(t);
         // From the base of the piece: a mere touch leaves the piece as it is.
         let base = match &self.mode {
             Mode::Air(air) => air.v0,
-            _ => self.local_velocity(),
+            _ => self.velocity(),
         };
         let accel = self.climb_accel(base, t);
         match &mut self.mode {
@@ -229,10 +238,18 @@ impl Body {
         }
     }
 
-    /// Whether one who climbs along something at a speed is driven away from it, by more than rounding makes of a drive along it.
+    /// Whether one who climbs along something is driven away from it, by more than rounding makes of a drive along it.
     pub(super) fn climbs_off(&self, track: &Track, speed: f64, t: &Motion) -> bool {
-        let goal = self.climb_wish() * t.climb_speed;
-        track.normal.dot(goal) > ROUNDING * (goal.length() + speed.abs())
+        let goal = self.climb_goal(t);
+        let rounding = ROUNDING * (goal.length() + speed.abs());
+        let drive = self.climb_accel(self.velocity(), t) - self.frame_accel();
+        let carried = self.frame.is_some();
+        track.normal.dot(goal) > rounding && (!carried || track.normal.dot(drive) > 0.0)
+    }
+
+    /// The velocity that one who climbs wishes for, as what carries him sees it: a ladder stands in the level.
+    fn climb_goal(&self, t: &Motion) -> DVec2 {
+        self.climb_wish() * t.climb_speed - self.frame_piece().velocity(self.time)
     }
 
     /// At the top of a ladder, in line with a one-way: up onto that, for there is no climbing on. False if it is none.

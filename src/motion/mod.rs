@@ -9,8 +9,8 @@
 //! In reading order: [`terrain`] and [`mover`] (in what?), [`roots`] (when?), [`track`] (along what?), [`vertex`] (what
 //! next?), [`law`] and [`footing`] (how fast?), [`body`] (the state), [`event`] (what happens to it), `step` (the sequence
 //! of events) with `air`, `corner`, `surface`, `joint`, `held`, `snap`, `stair`, `one_way`, `region`, `ladder` and `size`;
-//! [`wall`], [`grip`], [`ledge`] and `correct` (at walls); `beside` (the places in all other frames), `ride`, `contact` and `push`
-//! (what moving solids do); [`Anchor`] (edits under a body), [`check`] (the invariants).
+//! [`wall`], [`grip`], [`ledge`] and `correct` (at walls); `beside` (the places in all other frames), `paths`, `ride`,
+//! `contact` and `push` (what moving solids do); [`Anchor`] (edits under a body), [`check`] (the invariants).
 //!
 //! What is absent: swimming, and solids that rotate. Bodies do not meet each other.
 
@@ -32,6 +32,7 @@ pub mod law;
 pub mod ledge;
 pub mod mover;
 mod one_way;
+mod paths;
 mod push;
 mod region;
 mod ride;

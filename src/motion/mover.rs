@@ -1,5 +1,6 @@
 //! Moving solids: translations with piecewise constant acceleration, so that every relative motion stays quadratic.
 
+use super::beside::ROUNDING;
 use super::body::Size;
 use crate::mesh::Mesh;
 use glam::DVec2;
@@ -29,6 +30,16 @@ impl Piece {
     /// The velocity at a time, m/s.
     pub fn velocity(&self, t: f64) -> DVec2 {
         self.v0 + self.accel * (t - self.t0)
+    }
+
+    /// The sum of the sizes that a velocity at a time is worked out from, m/s.
+    pub(super) fn sizes(&self, t: f64) -> f64 {
+        self.v0.length() + self.accel.length() * (t - self.t0)
+    }
+
+    /// What rounding may make of the velocity at a time, that of the time included, m/s.
+    pub(super) fn rounding(&self, t: f64) -> f64 {
+        ROUNDING * self.sizes(t) + f64::EPSILON * t * self.accel.length()
     }
 
     /// The same motion relative to another, from when both have begun.

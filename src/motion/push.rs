@@ -1,8 +1,9 @@
 //! Struck by another frame: a body on a surface, or wedged, that an edge of another frame comes up against, or that comes up
 //! against one. It is taken over by that edge, or stays and is pressed by it: see [`super::contact`].
 
-use super::body::{Body, EventKind, Mode, Surface, Trace};
+use super::body::{Body, EventKind, Mode, Size, Surface, Trace};
 use super::contact::Contact;
+use super::footing::Footing;
 use super::grip::Grip;
 use super::joint::{Joint, Onward};
 use super::terrain::{Ground, Terrain};
@@ -34,7 +35,7 @@ impl Body {
         };
         let onto = mesh.walkable(segment);
         let (walks, below) = (on.walkable, on.clone());
-        if walks && !onto && self.passes_lip(i, terrain) {
+        if walks && !onto && self.passes_lip(i, segment, terrain) {
             return;
         }
         self.rebase();
@@ -44,20 +45,23 @@ impl Body {
             (true, true) => opens > 0.0,
             (false, true) => true,
             (true, false) => false,
-            (false, false) => opens > 0.0 && rises(into * opens, t),
+            (false, false) => {
+                opens > 0.0 && rises(into * opens, t) && !self.is_pinned(below.track.normal)
+            }
         };
         let contact = Contact {
             segment,
             track,
             edge,
         };
-        if !hands_over {
-            return self.touch(i, contact, into, trace, mesh);
-        }
         let u = match (walks, onto) {
-            (true, true) => onward_speed(&below.track, &track, w, t),
+            (true, true) => onward_speed(below.speed(self.time), &below.track, &track, w, t),
             _ => track.tangent.dot(w),
         };
+        let held = walks && onto && self.is_held_beside(i, &contact, u, terrain);
+        if held || !hands_over {
+            return self.touch(i, contact, into, trace, mesh);
+        }
         let s = track.parameter(q);
         let mover = self.beside[i].mover();
         self.board(
@@ -82,6 +86,31 @@ impl Body {
             };
             self.beside[i].contact = Some(was);
         }
+    }
+
+    /// Whether a walker whom ground of another frame strikes is held between that and his own: each drives him into the other, and
+    /// with the speed `u` on the new one he would come no further off the old than the width of a joint before he turns. He stays on
+    /// the old then, pressed by the new. In one frame [`Body::is_held`] says the same.
+    fn is_held_beside(&self, i: usize, new: &Contact, u: f64, terrain: &Terrain) -> bool {
+        let Mode::Surface(on) = &self.mode else {
+            return false;
+        };
+        let (now, beside) = (self.time, &self.beside[i]);
+        let (mine, other) = (self.frame_piece(), beside.piece());
+        let mesh = beside.ground(self.size, terrain);
+        let footing = Footing::under(new.segment, &new.track, mesh, terrain);
+        let (crouched, t) = (self.size == Size::Crouch, terrain.tuning);
+        // The law counts along x, the parameter of ground steeper than 45 degrees along y.
+        let x = if new.track.tangent.x < 0.0 { -1.0 } else { 1.0 };
+        let law = footing.law(u * x, &self.control, crouched, t);
+        let apart = new.track.tangent * u + other.velocity(now) - mine.velocity(now);
+        let drive = new.track.tangent * (law.accel * x) + other.accel - mine.accel;
+        let push = on.track.tangent * on.accel + mine.accel - other.accel;
+        let (away, back) = (on.track.normal.dot(apart), on.track.normal.dot(drive));
+        let width = f64::from(JOINT_STEPS) * STEP;
+        new.track.normal.dot(push) < 0.0
+            && back < 0.0
+            && (away <= 0.0 || away * away <= -2.0 * back * width)
     }
 
     /// Whether an edge of another frame is met without being gone into: at its end, on the way past; or moving off, where only a lip
@@ -248,21 +277,23 @@ impl Body {
             return self.crush(terrain, trace);
         };
         let up = (joint.speed * on.cosine).max(0.0);
-        match self.squeezes(&on.track, on.sign, up) {
+        match self.squeezes(&on, up, terrain) {
             Some(u) => {
                 let into = joint.lost(up);
                 self.settle(on.segment, on.edge, on.start, u, into, terrain, trace);
             }
-            None if self.presses_on(joint.track.tangent * joint.sign) => self.crush(terrain, trace),
+            None if self.presses_on(joint.track.tangent * joint.sign, terrain) => {
+                self.crush(terrain, trace)
+            }
             None => self.stop(&joint, Some(&on), trace, mesh),
         }
     }
 
     /// Whether what presses on a walker drives him into a joint, and back into it along the ground beyond.
-    pub(super) fn is_shut(&self, joint: &Joint, on: &Onward) -> bool {
+    pub(super) fn is_shut(&self, joint: &Joint, on: &Onward, terrain: &Terrain) -> bool {
         self.is_pressed()
-            && self.squeezes(&on.track, on.sign, joint.speed).is_none()
-            && self.presses_on(joint.track.tangent * joint.sign)
+            && self.squeezes(on, joint.speed, terrain).is_none()
+            && self.presses_on(joint.track.tangent * joint.sign, terrain)
     }
 
     /// Held at a vertex, and struck by an edge of another frame: taken over by it, pressed up one of the sides, or crushed.
@@ -287,8 +318,8 @@ impl Body {
         }
         let blocked = [a, b]
             .into_iter()
-            .filter(|side| side.track.normal.dot(track.normal) <= 0.0);
-        let blocked: Vec<Surface> = blocked.collect();
+            .filter(|(side, _)| side.track.normal.dot(track.normal) <= 0.0);
+        let blocked: Vec<(Surface, DVec2)> = blocked.collect();
         match &blocked[..] {
             [] => {
                 let onto = mesh.walkable(segment);
@@ -305,7 +336,8 @@ impl Body {
                 };
                 self.log(kind, trace);
             }
-            [side] => {
+            // Along it out of the corner, and not into it.
+            [(side, out)] if out.dot(track.normal) > 0.0 => {
                 self.mode = Mode::Surface(side.clone());
                 self.touch(
                     i,
@@ -326,13 +358,13 @@ impl Body {
     /// The feature edges that a flight from here leaves: what the body is on, or what wedges it.
     pub(super) fn left_behind(&self, terrain: &Terrain) -> [Option<SegmentId>; 2] {
         match self.sides_of_wedge(terrain) {
-            Some([a, b]) => [Some(a.segment), Some(b.segment)],
+            Some([(a, _), (b, _)]) => [Some(a.segment), Some(b.segment)],
             None => [self.segment(), None],
         }
     }
 
-    /// The two surfaces that hold a wedged body, at rest on each of them.
-    pub(super) fn sides_of_wedge(&self, terrain: &Terrain) -> Option<[Surface; 2]> {
+    /// The two surfaces that hold a wedged body, at rest on each of them, and the directions that lead out of the corner.
+    pub(super) fn sides_of_wedge(&self, terrain: &Terrain) -> Option<[(Surface, DVec2); 2]> {
         let Mode::Wedge(wedge) = &self.mode else {
             return None;
         };
@@ -347,26 +379,24 @@ impl Body {
             let track = mesh.track(segment);
             let walks = mesh.walkable(segment);
             let s = track.parameter(wedge.at);
-            Some(Surface::new(
-                self.time,
-                (segment, track, edge),
-                s,
-                0.0,
-                walks,
-            ))
+            let place = (segment, track, edge);
+            let surface = Surface::new(self.time, place, s, 0.0, walks);
+            let away = (mesh.origin(edge) == mesh.origin(spoke)) == track.leftward_free;
+            Some((surface, if away { track.tangent } else { -track.tangent }))
         };
         let (out, into) = fan_ends(mesh, spoke)?;
         Some([surface(out)?, surface(into)?])
     }
 }
 
-/// The speed of a walker who goes on from a road onto another: all of what he has along the first, or its part along the second.
-fn onward_speed(from: &Track, onto: &Track, w: DVec2, t: &Motion) -> f64 {
-    let along = from.tangent * from.tangent.dot(w);
-    let kept = onto.tangent.dot(along);
+/// The speed of a walker who goes on from a road, where he has the speed `u`, onto another of another frame, in which his velocity
+/// is `w`: what `w` has along the second; or, where bends keep the speed, all of `u` and not only its part along that.
+fn onward_speed(u: f64, from: &Track, onto: &Track, w: DVec2, t: &Motion) -> f64 {
+    let along = onto.tangent.dot(w);
+    let kept = onto.tangent.dot(from.tangent * u);
     match t.concave == 1.0 {
-        true => kept,
-        false => along.length().copysign(kept),
+        true => along,
+        false => along - kept + u.abs().copysign(kept),
     }
 }
 

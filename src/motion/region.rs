@@ -39,6 +39,10 @@ impl Body {
 
     /// After a change of the place that is no event of the motion, unless a ladder makes it one.
     pub(super) fn come_to_place(&mut self, terrain: &Terrain, trace: &mut Trace) {
+        // A rider who was set down or corrected is at another place in the level too.
+        if self.frame.is_some() {
+            self.follow(terrain);
+        }
         let news = self.note_regions(terrain, trace);
         // Who has taken hold in one size may have changed to another, of which no ladder is in reach.
         if (news || self.climbing) && self.minds_ladder(terrain) {

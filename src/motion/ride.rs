@@ -7,10 +7,11 @@ use super::beside::Beside;
 use super::body::{Air, Body, EventKind, Mode, Surface, Trace};
 use super::grip::Grip;
 use super::joint::Joint;
+use super::ladder::Reach;
 use super::law;
 use super::mover::{Piece, Ride};
 use super::terrain::{Ground, Terrain};
-use super::vertex::{JOINT_STEPS, segment_at, spokes};
+use super::vertex::{Bearing, JOINT_STEPS, Sector, sector, segment_at, spokes};
 use crate::geom::STEP;
 use crate::mesh::{EdgeId, FaceId, SegmentId};
 use glam::DVec2;
@@ -97,11 +98,13 @@ impl Body {
             Mode::Wedge(_) => DVec2::Y,
             _ => return,
         };
-        // In flight the law of the fall holds, so that must lead away too, lest the body comes back at once.
-        let t = terrain.tuning;
-        let falls = law::fall(self.velocity().y, &self.control, t).accel;
-        let away = |y: f64| normal.dot(DVec2::new(0.0, y) - ride.piece.accel) > 0.0;
-        if away(-t.gravity) && away(falls) {
+        // In flight the laws of the fall and of the stick hold, so those must lead away too, lest the body comes back at once.
+        let (t, v) = (terrain.tuning, self.velocity());
+        let falls = law::fall(v.y, &self.control, t).accel;
+        let steers = law::steer(v.x, &self.control, t).accel;
+        let away = |x: f64, y: f64| normal.dot(DVec2::new(x, y) - ride.piece.accel) > 0.0;
+        let away = away(0.0, -t.gravity) && away(0.0, falls) && away(steers, falls);
+        if away && !self.is_pinned(normal) {
             self.come_off(terrain, trace);
         }
     }
@@ -141,7 +144,10 @@ impl Body {
         self.beside[i].flight = left;
         self.mode = Mode::Surface(surface);
         if self.supported() {
-            (self.rising, self.coyote_from, self.climbing) = (false, None, false);
+            (self.rising, self.coyote_from) = (false, None);
+            if std::mem::take(&mut self.climbing) {
+                self.reach = Reach::Landed;
+            }
         }
         (self.lift, self.off_wall) = (None, None);
     }
@@ -179,7 +185,19 @@ impl Body {
             let (place, s) = ((segment, track, edge), track.parameter(q));
             let surface = Surface::new(self.time, place, s, u * sign, true);
             let mover = beside.mover();
+            let v = track.tangent * (u * sign) + beside.piece().velocity(self.time)
+                - self.frame_piece().velocity(self.time);
+            let bearing = Bearing {
+                d: v,
+                then: DVec2::NEG_Y,
+            };
+            let left = sector(from, joint.spoke(joint.next, from), bearing);
             self.board(i, surface, terrain);
+            if let Sector::Free(face) = left {
+                // Past the end of the old ground.
+                let old = &mut self.beside[i].flight;
+                (old.face, old.touching) = (face, [None; 2]);
+            }
             self.log(EventKind::Boarded(mover), trace);
             return true;
         }
@@ -202,10 +220,13 @@ impl Body {
         )
     }
 
-    /// A walker at a lip of another frame, at most [`JOINT_STEPS`] high: passes over it on the ground that he has. True if there is
-    /// one.
-    pub(super) fn passes_lip(&mut self, i: usize, terrain: &Terrain) -> bool {
+    /// A walker at a lip of another frame, at most [`JOINT_STEPS`] high: passes over it, once, on the ground that he has. True if
+    /// there is one.
+    pub(super) fn passes_lip(&mut self, i: usize, lip: SegmentId, terrain: &Terrain) -> bool {
         let beside = &self.beside[i];
+        if beside.flight.touching.contains(&Some(lip)) {
+            return false;
+        }
         let mesh = beside.ground(self.size, terrain);
         let (q, w) = self.seen_from(beside);
         let goes = if w.x != 0.0 {
@@ -225,7 +246,7 @@ impl Body {
         let (now, size) = (self.time, self.size);
         let beside = &mut self.beside[i];
         beside.flight.face = face;
-        beside.flight.touching = [Some(segment), None];
+        beside.flight.touching = [Some(segment), Some(lip)];
         beside.plan(now, size, terrain);
         true
     }

@@ -155,7 +155,11 @@ impl Body {
     /// Crouches or stands up as the control asks, if it can.
     pub(super) fn resize_as_wished(&mut self, terrain: &Terrain, trace: &mut Trace) {
         let wish = self.wished_size();
-        if wish != self.size && self.fits_beside(wish, terrain) && self.fit(wish, terrain) {
+        if wish == self.size {
+            return;
+        }
+        self.follow(terrain);
+        if self.fits_beside(wish, terrain) && self.fit(wish, terrain) {
             self.take_places(wish, terrain);
             self.size = wish;
             self.log(EventKind::Resized(wish), trace);
@@ -224,7 +228,8 @@ impl Body {
 
     /// The same corner between the same two feature edges in the mesh of another size, where a body is wedged now.
     fn same_wedge(&self, new: Ground, terrain: &Terrain) -> Option<Wedge> {
-        let (sides, old) = (self.sides_of_wedge(terrain)?, self.ground(terrain));
+        let sides = self.sides_of_wedge(terrain)?.map(|(side, _)| side);
+        let old = self.ground(terrain);
         let corner = old.point(old.origin(sides[0].edge));
         let Place::Vertex(w) = new.locate(corner.metres(), None)? else {
             return None;

@@ -60,7 +60,9 @@ impl Body {
         let found = found.filter(|found| self.is_clear_to(place(found), terrain));
         match (found, onward) {
             (Some(found), _) => self.set_down(&joint, home, &found, terrain, trace),
-            (None, Some(on)) if joint.speed == 0.0 && on.track.normal.y > 0.0 => {
+            (None, Some(on))
+                if joint.speed == 0.0 && (on.track.normal.y > 0.0 || self.is_pressed()) =>
+            {
                 self.tip_over(on, terrain, trace);
             }
             _ => self.leave(joint, next, terrain, trace),

@@ -141,11 +141,10 @@ impl Body {
         self.resize_as_wished(terrain, trace);
         self.jump_if_asked(terrain, trace);
         self.grip_as_wished(terrain, trace);
-        self.part_if_pulled(terrain, trace);
-        if !self.beside.is_empty() {
-            self.come_off_if_dropped(terrain, trace);
-            self.go_home(terrain);
-        }
+        // What a contact gives a body at once comes before what pulls it off slowly.
+        self.press_speed(terrain, trace);
+        self.meet_at_once(terrain, trace);
+        self.comes_off(terrain, trace);
         // Once more for who is off the slope on which he was granted none: in the air the coyote time may count.
         self.jump_if_asked(terrain, trace);
         if !self.beside.is_empty() {
@@ -159,10 +158,23 @@ impl Body {
         if let Mode::Surface(on) = &mut self.mode {
             on.stand_against_wall();
         }
-        if !self.beside.is_empty() {
+        if self.is_pressed() {
             self.press_accel(terrain, trace);
+            if !self.is_pressed() && self.comes_off(terrain, trace) {
+                self.choose_law(terrain);
+            }
         }
         self.come_to_place(terrain, trace);
+    }
+
+    /// Off what the body is pulled from, or what falls away from under it. True if it is in the air then.
+    fn comes_off(&mut self, terrain: &Terrain, trace: &mut Trace) -> bool {
+        self.part_if_pulled(terrain, trace);
+        if !self.beside.is_empty() {
+            self.come_off_if_dropped(terrain, trace);
+            self.go_home(terrain);
+        }
+        matches!(self.mode, Mode::Air(_))
     }
 
     /// Starts a new piece here and now.

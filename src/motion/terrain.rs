@@ -238,6 +238,12 @@ impl<'a> Ground<'a> {
         is_wall(self.mesh.segment(s), self.max_slope)
     }
 
+    /// The length of a feature edge, m.
+    pub(super) fn length(&self, s: SegmentId) -> f64 {
+        let segment = self.mesh.segment(s);
+        (segment.b.metres() - segment.a.metres()).length()
+    }
+
     /// The road along a feature edge; that of a ladder's end is on its inside.
     pub fn track(&self, s: SegmentId) -> Track {
         let segment = *self.mesh.segment(s);
