@@ -302,7 +302,7 @@ impl Body {
         let Mode::Air(air) = &self.mode else {
             return false;
         };
-        air.touching[0].is_some_and(|s| {
+        air.touching.iter().flatten().any(|&s| {
             let left = mesh.segment(s);
             let track = Track::of(left);
             let (height, away, _) = track.height(at, new.tangent * along, DVec2::ZERO);
@@ -370,10 +370,12 @@ impl Body {
         let carried = self.frame_piece().velocity(self.time);
         let v = track.tangent * speed + carried;
         let follows = self.frame_accel();
-        let (x, y) = (
-            law::steer(v.x, &self.control, terrain.tuning),
-            law::fall(v.y, &self.control, terrain.tuning),
-        );
+        let steer = |x: f64| law::steer(x, &self.control, terrain.tuning);
+        // A turn that comes at this very time has come.
+        let turn = steer(v.x).time_left(v.x).map(|left| self.time + left);
+        let turns = turn == Some(self.time) && steer(v.x).until == Some(0.0);
+        let x = steer(if turns { 0.0 } else { v.x });
+        let y = law::fall(v.y, &self.control, terrain.tuning);
         let push = if self.control.run != 0.0 {
             x.accel
         } else {

@@ -93,6 +93,7 @@ impl Beside {
         air.grain = grain + piece.rounding(now);
         let apart = |s| mesh.track(s).height(to, to, to).0.abs() > STEP;
         air.through = air.through.filter(|&s| !apart(s));
+        air.touching = air.touching.map(|s| s.filter(|&s| !apart(s)));
         self.of = Some(body);
         self.plan(now, size, terrain);
     }
@@ -253,6 +254,9 @@ impl Body {
                 let beyond = mesh.left(mesh.sym(edge));
                 beside.flight.face = beyond.expect("a free edge has a face on either side");
                 beside.flight.since = since;
+                let p = beside.flight.position(now);
+                let touches = |&s: &SegmentId| mesh.track(s).height(p, p, p).0.abs() <= STEP;
+                beside.flight.touching = beside.flight.touching.map(|s| s.filter(touches));
                 trace.crossed += 1;
                 beside.plan(now, size, terrain);
                 return self.come_to_place(terrain, trace);

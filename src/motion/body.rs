@@ -395,7 +395,9 @@ impl Body {
 
     fn rounding_at(&self, speed: f64) -> f64 {
         let largest = self.position().abs().max_element().max(1.0);
-        f64::EPSILON * (8.0 * largest + 2.0 * speed * self.time)
+        // On the way from one frame to another there are as many sums again.
+        let sums = if self.beside.is_empty() { 8.0 } else { 16.0 };
+        f64::EPSILON * (sums * largest + 2.0 * speed * self.time)
     }
 
     /// On walkable ground.

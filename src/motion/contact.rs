@@ -97,11 +97,25 @@ struct Bound {
 }
 
 impl Bound {
-    /// Of a contact with normal `n` that moves as `piece`, for a body that is carried by `mine` on a road along which that normal
-    /// has the part `lever`.
-    fn new(entry: usize, n: DVec2, lever: f64, piece: Piece, mine: Piece, now: f64) -> Bound {
+    /// Of a contact with normal `n` that moves as `piece`, for a body that is carried by `mine` on a road with tangent `t`.
+    /// `parallel`: its edge is parallel to the road, and where it closes in it is all along that.
+    fn new(
+        entry: usize,
+        n: DVec2,
+        t: DVec2,
+        parallel: bool,
+        frames: [Piece; 2],
+        now: f64,
+    ) -> Bound {
+        let [piece, mine] = frames;
         let closing = n.dot(piece.velocity(now) - mine.velocity(now));
         let closing_accel = n.dot(piece.accel - mine.accel);
+        let speeds = piece.rounding(now) + mine.rounding(now);
+        let closes = closing > speeds || closing >= -speeds && closing_accel > 0.0;
+        let lever = match parallel && closes {
+            true => 0.0,
+            false => n.dot(t),
+        };
         let share = |size: f64| ROUNDING * size / lever.abs();
         let accels = piece.accel.length() + mine.accel.length();
         let accel = closing_accel / lever;
@@ -110,7 +124,7 @@ impl Bound {
             side: if lever == 0.0 { 0.0 } else { lever.signum() },
             speed: closing / lever,
             accel,
-            closes: lever == 0.0 && (closing > 0.0 || closing == 0.0 && closing_accel > 0.0),
+            closes: lever == 0.0 && closes,
             rounding: share(piece.sizes(now) + mine.sizes(now)) + f64::EPSILON * now * accel.abs(),
             accel_rounding: share(accels),
         }
@@ -221,7 +235,10 @@ impl Body {
         for i in 0..self.beside.len() {
             if let Some(contact) = self.runs_into(i, terrain) {
                 trace.touched += 1;
-                self.struck(i, contact.edge, terrain, trace);
+                match self.beside[i].contact {
+                    None => self.struck(i, contact.edge, terrain, trace),
+                    Some(_) => self.press_in_corner(i, contact, terrain, trace),
+                }
                 self.press_speed(terrain, trace);
             }
         }
@@ -240,12 +257,12 @@ impl Body {
         };
         let leads_into = |c: &Contact| {
             let n = c.track.normal;
-            n.dot(w) < -rounding && against(n)
+            let pressing = beside.contact.is_some_and(|old| old.segment == c.segment);
+            n.dot(w) < -rounding && !pressing && against(n)
         };
         let touched = beside.flight.touching.into_iter().flatten();
         let mut touched = touched.filter_map(|s| self.at_hand(beside, s, terrain));
-        let free = on.grip == Grip::None && beside.contact.is_none();
-        touched.find(leads_into).filter(|_| free)
+        touched.find(leads_into).filter(|_| on.grip == Grip::None)
     }
 
     /// Whether something of another frame would strike the body at once if it came to rest here.
@@ -275,13 +292,11 @@ impl Body {
         let entries = self.beside.iter().enumerate();
         let bound = |(i, b): (usize, &Beside)| {
             let contact = b.contact?;
-            let normal = contact.track.normal;
+            let (n, t) = (contact.track.normal, track.tangent);
             // What rounding has turned out of parallel, by less than the width of a joint over the shorter of both, is parallel.
             let shorter = length.min(b.ground(self.size, terrain).length(contact.segment));
-            let lever = normal.dot(track.tangent);
-            let parallel = lever.abs() * shorter <= f64::from(JOINT_STEPS) * STEP;
-            let lever = if parallel { 0.0 } else { lever };
-            Some(Bound::new(i, normal, lever, b.piece(), mine, now))
+            let parallel = n.dot(t).abs() * shorter <= f64::from(JOINT_STEPS) * STEP;
+            Some(Bound::new(i, n, t, parallel, [b.piece(), mine], now))
         };
         entries.filter_map(bound).collect()
     }
@@ -296,18 +311,23 @@ impl Body {
             let contact = self.beside[b.entry].contact;
             b.closes && contact.is_some_and(|c| c.track.normal.dot(on.track.normal) > 0.0)
         };
-        let Some(i) = bounds.iter().find(overtakes).map(|b| b.entry) else {
-            return false;
-        };
+        let overtaking = bounds.iter().find(overtakes).map(|b| b.entry);
+        if let Some(i) = overtaking {
+            self.be_taken_over(i, terrain, trace);
+        }
+        overtaking.is_some()
+    }
+
+    /// From now on the body is on what presses on it.
+    pub(super) fn be_taken_over(&mut self, i: usize, terrain: &Terrain, trace: &mut Trace) {
         let beside = &self.beside[i];
+        let Some(contact) = beside.contact else {
+            return;
+        };
         let (mesh, (q, w)) = (beside.ground(self.size, terrain), self.seen_from(beside));
-        let Contact {
-            segment,
-            track,
-            edge,
-        } = beside.contact.expect("found above");
-        let (walks, mover) = (mesh.walkable(segment), beside.mover());
-        let place = (segment, track, edge);
+        let (track, mover) = (contact.track, beside.mover());
+        let walks = mesh.walkable(contact.segment);
+        let place = (contact.segment, track, contact.edge);
         let (s, u) = (track.parameter(q), track.tangent.dot(w));
         let into = (-track.normal.dot(w)).max(0.0);
         let kind = match (self.supported(), walks) {
@@ -317,7 +337,6 @@ impl Body {
         };
         self.board(i, Surface::new(self.time, place, s, u, walks), terrain);
         self.log(kind, trace);
-        true
     }
 
     /// Before the law is chosen: the speed that the contacts allow. Walled up in the direction of the push, the body is pressed
@@ -326,6 +345,7 @@ impl Body {
         if !self.is_pressed() {
             return;
         }
+        self.release_distant();
         let Mode::Surface(on) = &self.mode else {
             return self.release_all();
         };
@@ -399,6 +419,19 @@ impl Body {
     fn release(&mut self, entry: usize) {
         let beside = &mut self.beside[entry];
         (beside.contact, beside.of) = (None, None);
+    }
+
+    /// Those from which the body has been moved away: set down, stepped up.
+    fn release_distant(&mut self) {
+        for entry in 0..self.beside.len() {
+            let beside = &self.beside[entry];
+            let (q, _) = self.seen_from(beside);
+            let height = |c: Contact| c.track.height(q, q, q).0.abs();
+            let width = f64::from(JOINT_STEPS) * STEP;
+            if beside.contact.is_some_and(|c| height(c) > width) {
+                self.release(entry);
+            }
+        }
     }
 
     fn release_all(&mut self) {

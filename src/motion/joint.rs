@@ -275,8 +275,8 @@ impl Body {
             surface.since = (now - surface.t0).max(surface.since);
             return true;
         }
-        if on.towards && self.is_shut(&joint, &on, terrain) {
-            self.crush(terrain, trace);
+        if self.is_pressed_at_joint(terrain) && self.is_shut(&joint, &on, terrain) {
+            self.be_shut(&on, terrain, trace);
             return false;
         }
         if self.is_held(&joint, &on, terrain) {

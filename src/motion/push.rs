@@ -171,7 +171,9 @@ impl Body {
         beside.flight.face = mesh
             .left(contact.edge)
             .expect("free on the left of a blocking edge");
-        beside.flight.touching = [Some(contact.segment), None];
+        let before = beside.flight.touching.into_iter().flatten();
+        let before = before.into_iter().find(|&s| s != contact.segment);
+        beside.flight.touching = [Some(contact.segment), before];
         (beside.contact, beside.of) = (Some(contact), None);
         self.log(kind, trace);
         if let Mode::Surface(on) = &mut self.mode
@@ -219,7 +221,7 @@ impl Body {
                     track,
                     edge,
                 };
-                self.press_in_corner(i, new, terrain, trace, mesh);
+                self.press_in_corner(i, new, terrain, trace);
             }
             _ => {
                 let spoke = match heading {
@@ -241,17 +243,17 @@ impl Body {
 
     /// Two edges of one frame press at a corner: the second alone from here on, if it presses to the same side; else there is no
     /// way out.
-    fn press_in_corner(
+    pub(super) fn press_in_corner(
         &mut self,
         i: usize,
         new: Contact,
         terrain: &Terrain,
         trace: &mut Trace,
-        mesh: Ground,
     ) {
         let Mode::Surface(on) = &self.mode else {
             return;
         };
+        let mesh = self.beside[i].ground(self.size, terrain);
         let side = |c: &Contact| {
             let lever = c.track.normal.dot(on.track.tangent);
             if lever == 0.0 { 0.0 } else { lever.signum() }
@@ -291,9 +293,25 @@ impl Body {
 
     /// Whether what presses on a walker drives him into a joint, and back into it along the ground beyond.
     pub(super) fn is_shut(&self, joint: &Joint, on: &Onward, terrain: &Terrain) -> bool {
-        self.is_pressed()
-            && self.squeezes(on, joint.speed, terrain).is_none()
+        self.squeezes(on, joint.speed, terrain).is_none()
             && self.presses_on(joint.track.tangent * joint.sign, terrain)
+    }
+
+    /// Shut in at a joint: on what presses, if that is on the same side as both surfaces and so comes up under him; else crushed.
+    pub(super) fn be_shut(&mut self, onward: &Onward, terrain: &Terrain, trace: &mut Trace) {
+        let normals = match &self.mode {
+            Mode::Surface(on) => [on.track.normal, onward.track.normal],
+            _ => return,
+        };
+        let below = |c: Contact| normals.iter().all(|n| n.dot(c.track.normal) > 0.0);
+        match self
+            .beside
+            .iter()
+            .position(|b| b.contact.is_some_and(below))
+        {
+            Some(i) => self.be_taken_over(i, terrain, trace),
+            None => self.crush(terrain, trace),
+        }
     }
 
     /// Held at a vertex, and struck by an edge of another frame: taken over by it, pressed up one of the sides, or crushed.
