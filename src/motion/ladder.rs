@@ -13,7 +13,6 @@ use super::body::{Air, Body, EventKind, Mode, Next, Trace};
 use super::grip::Grip;
 use super::joint::{Joint, Onward};
 use super::law::Law;
-use super::surface::beside;
 use super::terrain::{Ground, Region, Terrain};
 use super::track::{Track, delta};
 use super::vertex::{segment_at, spokes};
@@ -161,10 +160,7 @@ impl Body {
         match hold {
             Hold::Here => {}
             Hold::Off => self.fly(p, v, self.face(&mesh), self.left_behind(terrain)),
-            Hold::Below(face) => {
-                let e = self.edge().expect("it stands");
-                self.fly(beside(mesh, mesh.sym(e), p), v, face, [None; 2]);
-            }
+            Hold::Below(face) => self.fly(p, v, face, [None; 2]),
         }
         if let Mode::Air(air) = &mut self.mode {
             air.lock = None;

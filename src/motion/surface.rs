@@ -76,7 +76,7 @@ impl Surface {
 }
 
 /// The position on an edge nearest to one on its right; one on its left as it is.
-pub(super) fn beside(mesh: Ground, e: EdgeId, p: DVec2) -> DVec2 {
+fn beside(mesh: Ground, e: EdgeId, p: DVec2) -> DVec2 {
     let along = mesh.point(mesh.dest(e)).metres() - mesh.point(mesh.origin(e)).metres();
     let depth = depth_beyond(mesh, e, p) / along.length_squared();
     p + along.perp() * depth.max(0.0)
