@@ -392,3 +392,47 @@ fn a_start_far_away_changes_no_bit_of_a_body() {
         assert_eq!(with, without, "{rate} Hz");
     }
 }
+
+#[test]
+fn a_lift_that_its_rider_starts_takes_him_along_from_that_time() {
+    // He walks over a deck just above the floor into the trigger on it, stops, and is 4 m up after a second.
+    let stop = |y: f64, seconds: f64| Stop {
+        at: DVec2::new(0.0, y),
+        wait: 0.0,
+        seconds,
+        easing: Easing::Eased,
+    };
+    let lift = Mover {
+        id: "lift".into(),
+        features: vec![block("deck", Kind::Solid, (2.0, -1.0), (12.0, 0.0625))],
+        path: vec![stop(0.0, 1.0), stop(4.0, 0.0)],
+        repeat: Repeat::Once,
+        starts: Starts::On("button".into()),
+    };
+    let mut seen = Vec::new();
+    for rate in RATES {
+        let mut world = world(
+            &[region("button", Kind::Trigger, 5.0, 6.0)],
+            std::slice::from_ref(&lift),
+            rate,
+        );
+        world.put(DVec2::new(3.0, 0.0625)).unwrap();
+        play(&mut world, 0.6, 1);
+        play(&mut world, 1.0, 0);
+        assert_eq!(world.hero().carrier(), Some(0), "{rate} Hz");
+        let offset = world.offsets_at(1.0).next().unwrap().y;
+        // Eased: twice 4 m/s on average in the middle, so 16 m/s^2 either way.
+        let expected = |t: f64| match t < 0.5 {
+            true => 8.0 * t * t,
+            false => 4.0 - 8.0 * (1.0 - t) * (1.0 - t),
+        };
+        assert!((offset - expected(1.0 - run_time(2.0))).abs() < 1e-12);
+        assert_eq!(world.view().position.y, 0.0625 + offset, "{rate} Hz");
+        let mut bits = vec![world.hero().hash()];
+        play(&mut world, 2.0, 0);
+        assert_eq!(world.view().position.y, 4.0625, "{rate} Hz");
+        bits.push(world.hero().hash());
+        seen.push(bits);
+    }
+    assert!(seen.iter().all(|other| *other == seen[0]), "{seen:?}");
+}

@@ -24,8 +24,18 @@ impl Air {
             let Some(at) = self.leaves(mesh, e, blocks) else {
                 continue;
             };
-            // At a vertex a free edge goes first: whether the corner is hit is for the face behind it to say. Then one ahead.
-            let rank = |blocks: bool, e: EdgeId| (blocks, blocks && !self.leads_along(mesh, e, at));
+            // At a vertex a free edge goes first: whether the corner is hit is for the face behind it to say. Then one ahead. Of
+            // two free ones the higher, so that who goes exactly along an edge from there on is above it, as on a floor.
+            let depth = |e: EdgeId| match blocks {
+                true => 0,
+                false => [mesh.origin(e), mesh.dest(e)]
+                    .map(|v| -i64::from(mesh.point(v).y))
+                    .iter()
+                    .sum(),
+            };
+            let rank = |blocks: bool, e: EdgeId| {
+                (blocks, blocks && !self.leads_along(mesh, e, at), depth(e))
+            };
             if best
                 .is_none_or(|(b, stops, f)| at < b || at == b && rank(blocks, e) < rank(stops, f))
             {

@@ -48,6 +48,7 @@ impl Body {
         }
         let known = self.beside.len();
         if known != terrain.movers.len() {
+            self.rebase();
             self.go_down_to_the_level(terrain);
             if self.find_places(terrain).is_err() {
                 self.crush(terrain, trace);

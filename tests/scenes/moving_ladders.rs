@@ -20,8 +20,9 @@ fn landed(kind: EventKind) -> bool {
 
 #[test]
 fn a_ladder_is_taken_hold_of_from_a_platform_that_carries_past_it() {
-    // He comes into the ladder at 5 s with 2 m/s, and is driven straight from (2, 0) to (0, 4) m/s.
-    for low in [-1.0, -0.25] {
+    // He comes into the ladder at 5 s with 2 m/s, and is driven straight from (2, 0) to (0, 4) m/s. Its foot is in the ground or
+    // just flush with it.
+    for low in [-1.0, 0.0] {
         let scene = scene(v(2.0, 0.0), (10.0, 12.0), (low, 30.0)).tune(|t| t.run_brake = 1000.0);
         let turns = f64::sqrt(20.0) / 60.0;
         at_every_rate(&scene, |run, rate| {
