@@ -206,11 +206,11 @@ impl Mesh {
 
     fn check_step(&self, e: Quarter) -> Result<(), Wrong> {
         let t = self.topology();
-        let mut windings = self.covers.windings(t.left(sym(e))).clone();
+        let mut windings = self.covers.windings(t.left(sym(e))).to_vec();
         self.gain(e, &mut windings);
         merge(&mut windings);
         let found = self.covers.windings(t.left(e));
-        ensure(&windings == found, || {
+        ensure(windings == found, || {
             format!("edge {e}: its left is covered {found:?}, not {windings:?}")
         })
     }

@@ -10,9 +10,13 @@ use super::buckets::CellHasher;
 use super::topology::{OUTSIDE, Quarter, Topology, sym};
 use std::collections::{BTreeSet, HashMap};
 use std::hash::BuildHasherDefault;
+use std::sync::Arc;
 
 /// How often each feature winds around a place; ascending by feature, no zeros.
 pub type Windings = Vec<(FeatureId, i32)>;
+
+/// The same as a cover and its index keep them.
+type Shared = Arc<[(FeatureId, i32)]>;
 
 /// Number of an interned cover.
 type CoverId = u32;
@@ -24,7 +28,7 @@ const UNKNOWN: CoverId = u32::MAX;
 
 #[derive(Clone, Debug)]
 struct Cover {
-    windings: Windings,
+    windings: Shared,
     features: Vec<FeatureId>,
     /// Whether one of the features is a solid.
     solid: bool,
@@ -38,7 +42,7 @@ pub struct Covers {
     interned: Vec<Cover>,
     /// Numbers that can be given away.
     vacant: Vec<CoverId>,
-    ids: HashMap<Windings, CoverId, BuildHasherDefault<CellHasher>>,
+    ids: HashMap<Shared, CoverId, BuildHasherDefault<CellHasher>>,
     of_face: Vec<CoverId>,
     /// Per face: whether a body is stopped by it. The outside stops bodies though nothing covers it.
     solid: Vec<bool>,
@@ -62,13 +66,14 @@ struct Sum {
 impl Covers {
     /// Nothing is covered.
     pub fn new() -> Self {
+        let nothing: Shared = Arc::new([]);
         let empty = Cover {
-            windings: Vec::new(),
+            windings: Arc::clone(&nothing),
             features: Vec::new(),
             solid: false,
             faces: 1,
         };
-        let ids = std::iter::once((Vec::new(), EMPTY)).collect();
+        let ids = std::iter::once((nothing, EMPTY)).collect();
         Covers {
             interned: vec![empty],
             vacant: Vec::new(),
@@ -93,7 +98,7 @@ impl Covers {
     }
 
     /// How often each feature winds around a face.
-    pub fn windings(&self, face: u32) -> &Windings {
+    pub fn windings(&self, face: u32) -> &[(FeatureId, i32)] {
         &self.interned[self.of_face[face as usize] as usize].windings
     }
 
@@ -112,14 +117,15 @@ impl Covers {
     }
 
     /// The number of a cover. It is to be given to a face next, or else stays for good.
-    fn intern(&mut self, windings: &Windings) -> CoverId {
+    fn intern(&mut self, windings: &[(FeatureId, i32)]) -> CoverId {
         if let Some(&id) = self.ids.get(windings) {
             return id;
         }
         let inside = windings.iter().filter(|w| w.1 > 0).map(|w| w.0);
         let features: Vec<FeatureId> = inside.collect();
+        let windings: Shared = windings.into();
         let cover = Cover {
-            windings: windings.clone(),
+            windings: Arc::clone(&windings),
             solid: features.iter().any(|f| !self.regions.contains(f)),
             features,
             faces: 0,
@@ -134,7 +140,7 @@ impl Covers {
                 self.interned.len() as CoverId - 1
             }
         };
-        self.ids.insert(windings.clone(), id);
+        self.ids.insert(windings, id);
         id
     }
 
@@ -177,7 +183,7 @@ impl Covers {
         for &face in new {
             self.forget(face);
         }
-        let (mut inner, mut border) = (Vec::new(), Vec::new());
+        let (mut inner, mut border) = (Vec::with_capacity(64), Vec::new());
         let mut scratch = std::mem::take(&mut self.scratch);
         // First from face to face as they lie in memory, each with what no edge parts from it; then, wherever that found nothing
         // to begin with, on across the borders.
@@ -233,7 +239,8 @@ impl Covers {
             return self.set(face, sum.to);
         }
         let mut windings = std::mem::take(&mut self.scratch);
-        windings.clone_from(self.windings(face));
+        windings.clear();
+        windings.extend_from_slice(self.windings(face));
         match windings.binary_search_by_key(&feature, |w| w.0) {
             Ok(i) if windings[i].1 + winding == 0 => drop(windings.remove(i)),
             Ok(i) => windings[i].1 += winding,

@@ -78,7 +78,7 @@ impl Mesh {
         let way_out = t.ring(chain[0]).find(beyond);
         let mut at = way_out.expect("the outer box lies around every feature");
         let mut winding = 0;
-        let mut found = Vec::new();
+        let mut found = Vec::with_capacity(8 * chain.len());
         for i in 0..chain.len() {
             // Around the vertex from `at`, left of which the winding is known.
             let (towards, mut onwards) = (chain[(i + 1) % chain.len()], None);
@@ -98,8 +98,9 @@ impl Mesh {
     /// Takes a feature that is about to be removed out of the covers of the faces inside it.
     pub(super) fn uncover_inside(&mut self, feature: FeatureId) {
         let t = &self.triangulation.topology;
-        let mut stack = Vec::new();
-        for &s in &self.features[&feature].segments {
+        let segments = &self.features[&feature].segments;
+        let mut stack = Vec::with_capacity(8 * segments.len());
+        for &s in segments {
             for pair in self.arrangement.chain(s).windows(2) {
                 let e = self.piece(pair);
                 stack.extend([t.left(e), t.left(sym(e))]);

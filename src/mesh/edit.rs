@@ -219,7 +219,7 @@ impl Mesh {
         for &v in born {
             self.triangulation.insert(v.0, points[v.index()]);
         }
-        let rerouted = diff.rerouted.iter().map(|r| (r.segment, r.new.as_slice()));
+        let rerouted = diff.rerouted.iter().map(|r| (r.segment, &*r.new));
         let added = diff.added.iter().map(|&s| (s, self.arrangement.chain(s)));
         for (segment, chain) in rerouted.chain(added) {
             for pair in chain.windows(2) {

@@ -16,6 +16,7 @@
 
 mod buckets;
 mod cast;
+mod chain;
 mod check;
 mod cover;
 mod covering;

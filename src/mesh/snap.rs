@@ -9,6 +9,7 @@
 //! segment whose chain changes because of that.
 
 use super::buckets::Buckets;
+use super::chain::Chain;
 use super::{SegmentId, VertexId};
 use crate::geom::Point;
 use crate::geom::predicates::{crosses, crossing_pixel, meets_pixel};
@@ -19,7 +20,7 @@ struct Original {
     a: Point,
     b: Point,
     /// The hot pixels it meets, from a to b; empty while the id is unused.
-    chain: Vec<VertexId>,
+    chain: Chain,
 }
 
 /// What an edit does to the mesh.
@@ -42,9 +43,9 @@ pub struct Reroute {
     /// The segment.
     pub segment: SegmentId,
     /// Old vertices, from a to b.
-    pub old: Vec<VertexId>,
+    pub old: Chain,
     /// New vertices, from a to b.
-    pub new: Vec<VertexId>,
+    pub new: Chain,
 }
 
 /// All segments, all hot pixels, and where they are.
@@ -61,7 +62,7 @@ pub struct Arrangement {
     cells: Vec<u64>,
     /// Scratch: its crossings with others.
     crossings: Vec<Point>,
-    /// Scratch: its chain.
+    /// Scratch: a chain.
     chain: Vec<VertexId>,
 }
 
@@ -110,7 +111,7 @@ impl Arrangement {
     pub fn edit(&mut self, add: &[(Point, Point)], remove: &[SegmentId]) -> Diff {
         let mut diff = Diff::default();
         for &segment in remove {
-            let (old, new) = (self.unregister(segment), Vec::new());
+            let (old, new) = (self.unregister(segment), Chain::EMPTY);
             diff.rerouted.push(Reroute { segment, old, new });
         }
         let survivors = self.originals.len() > self.free_segments.len() + remove.len();
@@ -132,7 +133,7 @@ impl Arrangement {
     }
 
     /// Takes a segment out of the buckets; returns its chain.
-    fn unregister(&mut self, segment: SegmentId) -> Vec<VertexId> {
+    fn unregister(&mut self, segment: SegmentId) -> Chain {
         let (a, b) = self.ends(segment);
         self.segments.cells_along(a, b, &mut self.cells);
         for &cell in &self.cells {
@@ -150,7 +151,7 @@ impl Arrangement {
         let original = Original {
             a,
             b,
-            chain: Vec::new(),
+            chain: Chain::EMPTY,
         };
         match self.originals.get_mut(segment.index()) {
             Some(free) => *free = original,
@@ -234,7 +235,7 @@ impl Arrangement {
 
     /// Re-routes the chains of segments that stay, through born pixels and past dead ones.
     fn reroute_survivors(&mut self, diff: &mut Diff) {
-        let mut changes: Vec<(SegmentId, VertexId)> = Vec::new();
+        let mut changes: Vec<(SegmentId, VertexId)> = Vec::with_capacity(64);
         for &v in diff.born.iter().chain(&diff.dead) {
             let stays = |&segment: &SegmentId| !self.originals[segment.index()].chain.is_empty();
             changes.extend(
@@ -244,29 +245,24 @@ impl Arrangement {
             );
         }
         changes.sort_unstable();
+        let mut new = std::mem::take(&mut self.chain);
         for change in changes.chunk_by(|x, y| x.0 == y.0) {
             let segment = change[0].0;
-            let old = std::mem::take(&mut self.originals[segment.index()].chain);
-            let mut new: Vec<VertexId> = old
-                .iter()
-                .copied()
-                .filter(|v| diff.dead.binary_search(v).is_err())
-                .collect();
-            new.extend(
-                change
-                    .iter()
-                    .map(|&(_, v)| v)
-                    .filter(|v| diff.dead.binary_search(v).is_err()),
-            );
+            let lives = |v: &VertexId| diff.dead.binary_search(v).is_err();
+            let old = &self.originals[segment.index()].chain;
+            let joins = change.iter().map(|&(_, v)| v);
+            new.clear();
+            new.extend(old.iter().copied().chain(joins).filter(lives));
             self.sort_along(segment, &mut new);
-            let (old, changed) = differing(&old, &new);
-            self.originals[segment.index()].chain = new;
+            let (old, changed) = differing(old, &new);
+            self.originals[segment.index()].chain = Chain::from(new.as_slice());
             diff.rerouted.push(Reroute {
                 segment,
                 old,
                 new: changed,
             });
         }
+        self.chain = new;
     }
 
     /// Forgets pixels that cooled down.
@@ -279,7 +275,7 @@ impl Arrangement {
     }
 
     /// The hot pixels that a segment meets, from end to end.
-    fn find_chain(&mut self, segment: SegmentId) -> Vec<VertexId> {
+    fn find_chain(&mut self, segment: SegmentId) -> Chain {
         let (a, b) = self.ends(segment);
         let mut chain = std::mem::take(&mut self.chain);
         chain.clear();
@@ -293,7 +289,7 @@ impl Arrangement {
             );
         }
         self.sort_along(segment, &mut chain);
-        let found = chain.clone(); // exactly as much room as it needs
+        let found = Chain::from(chain.as_slice());
         self.chain = chain;
         found
     }
@@ -321,7 +317,7 @@ fn boxes_meet((a, b): (Point, Point), (c, d): (Point, Point)) -> bool {
 }
 
 /// Two chains with the same ends, without their common beginning and end but for one vertex of each.
-fn differing(old: &[VertexId], new: &[VertexId]) -> (Vec<VertexId>, Vec<VertexId>) {
+fn differing(old: &[VertexId], new: &[VertexId]) -> (Chain, Chain) {
     let head = old.iter().zip(new).take_while(|(v, w)| v == w).count();
     let shorter = old.len().min(new.len()) - head;
     let tail = old
@@ -332,7 +328,7 @@ fn differing(old: &[VertexId], new: &[VertexId]) -> (Vec<VertexId>, Vec<VertexId
         .take_while(|(v, w)| v == w)
         .count();
     let cut = |chain: &[VertexId]| {
-        chain[head.saturating_sub(1)..chain.len() - tail.saturating_sub(1)].to_vec()
+        Chain::from(&chain[head.saturating_sub(1)..chain.len() - tail.saturating_sub(1)])
     };
     (cut(old), cut(new))
 }

@@ -9,13 +9,19 @@ use super::{Segment, SegmentId, Use};
 /// Lists of uses by edge record.
 #[derive(Clone, Debug, Default)]
 pub struct Uses {
-    /// First link of each edge record's list; edges beyond the end have none.
-    heads: Vec<u32>,
-    /// Per edge record, as many as `heads`: whether the front of a one-way lies left of the quarter-edge with r = 0,
-    /// and of that with r = 2. Bodies ask at every edge that they cross.
-    fronts: Vec<[bool; 2]>,
+    /// By edge record; edges beyond the end have no uses.
+    edges: Vec<EdgeUses>,
     links: Vec<Link>,
     free: Vec<u32>,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct EdgeUses {
+    /// First link of the edge's list.
+    head: u32,
+    /// Whether the front of a one-way lies left of the quarter-edge with r = 0, and of that with r = 2. Bodies ask at every
+    /// edge that they cross.
+    fronts: [bool; 2],
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -30,7 +36,7 @@ struct Link {
 
 impl Uses {
     fn head(&self, e: Quarter) -> u32 {
-        self.heads.get((e >> 2) as usize).copied().unwrap_or(NONE)
+        self.edges.get((e >> 2) as usize).map_or(NONE, |e| e.head)
     }
 
     /// Whether nothing runs along an edge.
@@ -41,8 +47,8 @@ impl Uses {
     /// Whether the front of a one-way lies left of an edge: it runs the other way.
     #[inline]
     pub fn has_front(&self, e: Quarter) -> bool {
-        let fronts = self.fronts.get((e >> 2) as usize);
-        fronts.is_some_and(|fronts| fronts[usize::from(e & 2 != 0)])
+        let edge = self.edges.get((e >> 2) as usize);
+        edge.is_some_and(|edge| edge.fronts[usize::from(e & 2 != 0)])
     }
 
     /// The uses of an edge, by feature, source and ends, with directions relative to `e`.
@@ -61,9 +67,12 @@ impl Uses {
 
     /// Adds a use of an edge by a segment, of a one-way or not, that runs in the direction of `e`.
     pub fn add(&mut self, e: Quarter, segment: SegmentId, one_way: bool, segments: &[Segment]) {
-        if self.heads.len() <= (e >> 2) as usize {
-            self.heads.resize((e >> 2) as usize + 1, NONE);
-            self.fronts.resize((e >> 2) as usize + 1, [false; 2]);
+        if self.edges.len() <= (e >> 2) as usize {
+            let unused = EdgeUses {
+                head: NONE,
+                fronts: [false; 2],
+            };
+            self.edges.resize((e >> 2) as usize + 1, unused);
         }
         let rank = |s: SegmentId| segments[s.index()].rank();
         let (mut before, mut at) = (NONE, self.head(e));
@@ -109,14 +118,14 @@ impl Uses {
             fronts[usize::from(link.forward)] |= link.one_way;
             at = link.next;
         }
-        self.fronts[(e >> 2) as usize] = fronts;
+        self.edges[(e >> 2) as usize].fronts = fronts;
     }
 
     /// Lets the list of `e` go on with `next` after the link `before`, or start with it.
     fn set_next(&mut self, e: Quarter, before: u32, next: u32) {
         match self.links.get_mut(before as usize) {
             Some(link) => link.next = next,
-            None => self.heads[(e >> 2) as usize] = next,
+            None => self.edges[(e >> 2) as usize].head = next,
         }
     }
 }
