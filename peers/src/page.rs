@@ -1,5 +1,6 @@
 //! The report as it grows: text, tables, plots beside it.
 
+pub use plotters::prelude::SeriesLabelPosition;
 use plotters::prelude::*;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -22,6 +23,8 @@ pub struct Axes {
     pub x: &'static str,
     pub y: &'static str,
     pub floor: f64,
+    /// Where there is room for the names of the lines.
+    pub legend: SeriesLabelPosition,
 }
 
 /// The colours of the lines, in order: told apart by who sees few colours, too.
@@ -112,7 +115,7 @@ fn draw(path: &Path, axes: &Axes, lines: &[Line]) -> Result<(), Box<dyn std::err
         decades(all.map(|p| shown(p.1))),
     );
     let mut chart = ChartBuilder::on(&area)
-        .caption(axes.title, ("sans-serif", 17))
+        .caption(axes.title, ("sans-serif", 19))
         .margin(8)
         .margin_right(16)
         .x_label_area_size(38)
@@ -124,6 +127,8 @@ fn draw(path: &Path, axes: &Axes, lines: &[Line]) -> Result<(), Box<dyn std::err
         .x_desc(axes.x)
         .y_desc(axes.y)
         .light_line_style(TRANSPARENT)
+        .label_style(("sans-serif", 15))
+        .axis_desc_style(("sans-serif", 16))
         .x_label_formatter(&power)
         .y_label_formatter(&power)
         .draw()?;
@@ -140,10 +145,10 @@ fn draw(path: &Path, axes: &Axes, lines: &[Line]) -> Result<(), Box<dyn std::err
     }
     chart
         .configure_series_labels()
-        .position(SeriesLabelPosition::UpperRight)
+        .position(axes.legend.clone())
         .background_style(WHITE.mix(0.8))
         .border_style(RGBColor(200, 200, 200))
-        .label_font(("sans-serif", 12))
+        .label_font(("sans-serif", 15))
         .draw()?;
     area.present()?;
     Ok(())

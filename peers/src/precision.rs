@@ -2,7 +2,7 @@
 
 use crate::clock::interleaved;
 use crate::movers::{self, Maker, Mover};
-use crate::page::{Axes, Line, Page, metres};
+use crate::page::{Axes, Line, Page, SeriesLabelPosition, metres};
 use crate::run;
 use crate::scene::Scene;
 use crate::scenes;
@@ -100,6 +100,7 @@ fn show(page: &mut Page, scene: &Scene, rows: &[Row]) {
         x: "ns per simulated second",
         y: "largest error, m",
         floor: 1e-16,
+        legend: SeriesLabelPosition::LowerRight,
     };
     let lines: Vec<Line> = rows.iter().map(line).collect();
     page.plot(&format!("precision-{}.svg", scene.name), &axes, &lines);

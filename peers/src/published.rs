@@ -56,7 +56,7 @@ pub fn write(page: &mut Page, quick: bool) {
         "**Box2D** holds its 5 mm under any speed: `hits a slab at 10 km/s` and `flies at 1e8 m/s` in section 3. It pushes back and is pushed \
          by dynamic bodies, which Edgewalker does not have, and with the mean of the velocities its jump is exact to its slop."
             .to_string(),
-        "**Rapier** walks seams and idles on steep slopes within its gap, has 3D and dynamic bodies, takes any convex shape, turns it, \
+        "**Rapier** idles on steep slopes for as long as one likes and hits slabs at any speed, within its gap, has 3D and dynamic bodies, takes any convex shape, turns it, \
          and is not bound to a grid or to 4 km: in section 5 it goes on where Edgewalker refuses."
             .to_string(),
         "**Parry** is exact to its last bit where one cast decides (`lands along a slope of 45 degrees`), for any pair of shapes.".to_string(),

@@ -7,7 +7,7 @@ use crate::movers::parry::Parry;
 use crate::movers::push_out::PushOut;
 use crate::movers::rapier::Rapier;
 use crate::movers::walker::Slide;
-use crate::page::{Axes, Line, Page, metres};
+use crate::page::{Axes, Line, Page, SeriesLabelPosition, metres};
 use crate::precision::RATES;
 use crate::reference::{self, Difference};
 use crate::scene::Form;
@@ -156,6 +156,7 @@ fn show(page: &mut Page, rows: &[Row], counts: &[[f64; 2]]) {
         x: "ns per simulated second",
         y: "median error after a second alone, m",
         floor: 1e-16,
+        legend: SeriesLabelPosition::LowerRight,
     };
     page.plot(
         "precision-quarry.svg",

@@ -7,7 +7,7 @@ use crate::movers::box2d::Box2d;
 use crate::movers::ours::tuning;
 use crate::movers::rapier::Rapier;
 use crate::movers::walker::{Rule, Slide, integrate};
-use crate::page::{Axes, Line, Page, time as shown};
+use crate::page::{Axes, Line, Page, SeriesLabelPosition, time as shown};
 use crate::reference::worlds::{self, Dice};
 use crate::scene::{Form, collider, snapped, v};
 use edgewalker::geom::expand;
@@ -151,6 +151,7 @@ fn steps(page: &mut Page, quick: bool, found: &mut Scaling) {
         x: "constrained edges",
         y: "ns per step",
         floor: 0.1,
+        legend: SeriesLabelPosition::MiddleRight,
     };
     page.plot("scaling-steps.svg", &axes, &lines);
     page.say(

@@ -73,7 +73,7 @@ pub fn write(page: &mut Page, quick: bool) {
         &[1.0, 60.0, 600.0, 3600.0]
     };
     table(
-        "Length of the run: to and fro in a lift, as long as that",
+        "Length of the run: up and down in a lift, as long as that (the peers are not told how fast it goes)",
         long.iter()
             .map(|&s| (format!("{s} s"), shuttle(s)))
             .collect(),

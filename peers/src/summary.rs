@@ -70,6 +70,13 @@ pub fn fill(
         counts(held, &held.exact),
         counts(held, &held.centimetre),
     );
+    text +=
+        "Instructions (callgrind, `scripts/counts`; they do not depend on the machine's load):\n\n";
+    for line in include_str!("../../benches/counts.txt").lines() {
+        let (name, count) = line.rsplit_once(' ').unwrap_or((line, ""));
+        text += &format!("- {name}: {count}\n");
+    }
+    text += "\n";
     text += &losses(precision, scaling);
     page.fill(MARK.trim_end(), text.trim_end());
 }
