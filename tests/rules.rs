@@ -96,6 +96,7 @@ fn a_hazard_kills_when_it_is_entered() {
         let mut world = world(&[region("thorns", Kind::Hazard, 5.125, 9.0)], &[], rate);
         let mut entered = None;
         while world.view().deaths == 0 {
+            assert!(world.time() < 3.0, "{rate} Hz: he lives");
             let now = world.time() + 0.5 / f64::from(rate);
             play(&mut world, now, 1);
             entered = time_of(&world, |kind| matches!(kind, EventKind::Entered(1)));
@@ -119,6 +120,7 @@ fn who_dies_comes_back_at_the_last_checkpoint() {
     let mut world = world(&[camp("first", 3.0), camp("second", 7.0), thorns], &[], 120);
     for deaths in 1..4 {
         while world.view().deaths < deaths {
+            assert!(world.time() < 9.0, "he lives");
             let now = world.time() + 1e-3;
             play(&mut world, now, 1);
         }
@@ -292,6 +294,7 @@ fn who_falls_out_of_the_level_dies_at_the_very_time_at_every_rate() {
         let pit = world.stage().pit();
         let mut fell = None;
         while world.view().deaths == 0 {
+            assert!(world.time() < 3.0, "{rate} Hz: he lives");
             let now = world.time() + 0.5 / f64::from(rate);
             play(&mut world, now, 1);
             fell = time_of(&world, |kind| kind == EventKind::Entered(pit));
