@@ -179,7 +179,9 @@ impl App {
     /// OpenGL fails, the file cannot be written, or the replay is over before that tick.
     pub fn screenshot(&mut self, file: &Path, at: u64) -> Result<(), ShellError> {
         files::check_writable(file)?;
+        let span = Duration::from_secs(1) / self.play.world.tick_rate();
         while self.play.world.tick() < at {
+            self.notices.advance(span);
             if !self.tick() {
                 let end = self.play.world.tick();
                 return Err(ShellError::Replay(format!(

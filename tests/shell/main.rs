@@ -69,6 +69,10 @@ const TESTS: &[Test] = &[
         "the frame rate does not matter",
         runs::the_frame_rate_does_not_matter,
     ),
+    (
+        "a picture of a tick shows what is seen then",
+        runs::a_picture_of_a_tick,
+    ),
     ("going on after a replay", runs::going_on_after_a_replay),
     (
         "a changed tuning ends the recording",

@@ -94,6 +94,18 @@ pub fn the_golden_run(_: &Path) {
     assert_eq!(without_window(path), app.play.summary);
 }
 
+/// A picture of a tick shows what the player would see then: not what was told long before.
+pub fn a_picture_of_a_tick(folder: &Path) {
+    let mut app = open(&replaying(Path::new("tests/golden/gym.replay.ron")));
+    let file = folder.join("picture.png");
+    app.screenshot(&file, 4500).unwrap();
+    assert_eq!(
+        (app.play.world.tick(), app.play.world.view().deaths),
+        (4500, 1)
+    );
+    assert!(file.exists() && app.notices.notice().is_none());
+}
+
 /// After a replay the player may go on from its end.
 pub fn going_on_after_a_replay(folder: &Path) {
     let path = folder.join("run.replay");
