@@ -1,5 +1,6 @@
 //! In the air: free faces are crossed, blocking edges are hit.
 
+use super::beside::ROUNDING;
 use super::body::{Air, Body, EventKind, Mode, Next, Surface, Trace, Wedge};
 use super::grip::Grip;
 use super::ladder::Reach;
@@ -121,7 +122,8 @@ impl Air {
         };
         let along = on_it && b.abs() <= 16.0 * f64::EPSILON * self.v0.length() + grain;
         let (c, b) = (if on_it { 0.0 } else { c }, if along { 0.0 } else { b });
-        exit(c, b, q, self.since)
+        let straight = along && self.grain > 0.0 && q.abs() <= ROUNDING * self.accel.length();
+        exit(c, b, if straight { 0.0 } else { q }, self.since)
     }
 
     /// What rounding makes of the position at the start of the piece, m.
@@ -293,7 +295,8 @@ impl Body {
         let ends =
             [edge, mesh.lnext(edge)].map(|e| (track.parameter_of(mesh.point(mesh.origin(e))), e));
         for ((end, spoke), (other, _)) in [(ends[0], ends[1]), (ends[1], ends[0])] {
-            if (s - end) * (other - end).signum() <= self.rounding_along(&track)
+            if (s - end) * (other - end).signum()
+                <= self.rounding_along(&track, self.local_velocity())
                 && self.meet_vertex(spoke, segment, terrain, trace)
             {
                 return;

@@ -88,6 +88,11 @@ impl Beside {
         let (from, to) = (self.flight.position(now), seen.offset(now));
         let air = &mut self.flight;
         air.face = moved(mesh, air.face, from, to);
+        // Who has been beyond the border of a moving solid's small world comes back anywhere.
+        let at_border = |e: EdgeId| mesh.left(mesh.sym(e)).is_none();
+        if self.frame.is_some() && mesh.sides(air.face).into_iter().any(at_border) {
+            air.face = free_face(mesh, to, DVec2::NEG_Y, DVec2::NEG_Y).unwrap_or(air.face);
+        }
         (air.t0, air.p0, air.v0, air.accel) = (seen.t0, seen.p0, seen.v0, seen.accel);
         (air.since, air.limits) = (now - seen.t0, [None; 2]); // those belong to the body's own motion
         air.grain = grain + piece.rounding(now);
@@ -305,7 +310,11 @@ impl Body {
         if self.frame.is_none() || !matches!(self.mode, Mode::Air(_)) {
             return;
         }
-        let (t, p, v) = (self.time, self.position(), self.velocity());
+        let (t, p) = (self.time, self.position());
+        // A velocity that only rounding tells from rest is rest.
+        let grain = self.frame_piece().rounding(t) + ROUNDING * self.local_velocity().length();
+        let still = |c: f64| if c.abs() <= grain { 0.0 } else { c };
+        let v = DVec2::new(still(self.velocity().x), still(self.velocity().y));
         let home = self.beside.iter().position(|b| b.frame.is_none());
         self.change_frame(home.expect("a rider has a place in the level"));
         let level = self.ground(terrain);

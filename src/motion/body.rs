@@ -388,9 +388,9 @@ impl Body {
         self.rounding_at(self.velocity().length())
     }
 
-    /// The same for the parameter along a road: time counts only as far as the body moves along it.
-    pub(super) fn rounding_along(&self, track: &Track) -> f64 {
-        self.rounding_at(track.parameter(self.velocity()).abs())
+    /// The same for the parameter along a road, for a velocity in the frame of that: time counts only as far as it leads along it.
+    pub(super) fn rounding_along(&self, track: &Track, v: DVec2) -> f64 {
+        self.rounding_at(track.parameter(v).abs())
     }
 
     fn rounding_at(&self, speed: f64) -> f64 {

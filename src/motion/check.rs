@@ -110,6 +110,9 @@ fn beside(body: &Body, entry: &Beside, terrain: &Terrain) -> Result<(), String> 
     if mesh.is_solid(face) {
         return Err(format!("I1: in a solid face of {:?} at {p}", entry.mover()));
     }
+    if mesh.locate(p, None).is_none() {
+        return Ok(()); // beyond the border of a moving solid's small world is nothing
+    }
     let slack = body.rounding() + f64::from(2 * JOINT_STEPS) * STEP;
     for e in mesh.sides(face) {
         let ends = [mesh.origin(e), mesh.dest(e)].map(|v| mesh.point(v).metres());

@@ -14,7 +14,7 @@ use super::roots::exit;
 use super::size::piece_at;
 use super::terrain::{Ground, Terrain};
 use super::track::{Axis, Track};
-use super::vertex::JOINT_STEPS;
+use super::vertex::{JOINT_STEPS, segment_at};
 use crate::geom::{Point, STEP};
 use crate::mesh::{EdgeId, SegmentId};
 use glam::DVec2;
@@ -111,7 +111,12 @@ impl Bound {
         let closing = n.dot(piece.velocity(now) - mine.velocity(now));
         let closing_accel = n.dot(piece.accel - mine.accel);
         let speeds = piece.rounding(now) + mine.rounding(now);
-        let closes = closing > speeds || closing >= -speeds && closing_accel > 0.0;
+        let closing = if closing.abs() <= speeds {
+            0.0
+        } else {
+            closing
+        };
+        let closes = closing > 0.0 || closing == 0.0 && closing_accel > 0.0;
         let lever = match parallel && closes {
             true => 0.0,
             false => n.dot(t),
@@ -179,7 +184,12 @@ fn allowed(bounds: &[Bound], u: f64) -> Verdict {
     if shut || bounds.iter().any(|b| b.closes) {
         return Verdict::Crushed;
     }
-    let bound = low.into_iter().chain(high).find(|b| b.forbids(u));
+    let rests = |b: &&Bound| b.speed == 0.0 && b.is_met(u);
+    let bound = low.into_iter().chain(high);
+    let bound = bound
+        .clone()
+        .find(|b| b.forbids(u))
+        .or(bound.clone().find(rests));
     Verdict::Speed(bound.map_or(u, |b| b.speed))
 }
 
@@ -229,7 +239,7 @@ impl Body {
         })
     }
 
-    /// Whether the body, on a surface, runs into edges of other frames that it has not yet come apart from, against what it is on or
+    /// Whether the body, on a surface, runs into edges of other frames that are within a step of it, against what it is on or
     /// what presses on it: all of them decide at once. One after the other they would throw it to and fro, for ever at one time.
     pub(super) fn meet_at_once(&mut self, terrain: &Terrain, trace: &mut Trace) {
         for i in 0..self.beside.len() {
@@ -260,7 +270,11 @@ impl Body {
             let pressing = beside.contact.is_some_and(|old| old.segment == c.segment);
             n.dot(w) < -rounding && !pressing && against(n)
         };
-        let touched = beside.flight.touching.into_iter().flatten();
+        let mesh = beside.ground(self.size, terrain);
+        let sides = mesh.sides(beside.flight.face).into_iter();
+        let around = sides.filter(|&e| mesh.blocks(e));
+        let around = around.filter_map(|e| segment_at(mesh, e, |_| false));
+        let touched = beside.flight.touching.into_iter().flatten().chain(around);
         let mut touched = touched.filter_map(|s| self.at_hand(beside, s, terrain));
         touched.find(leads_into).filter(|_| on.grip == Grip::None)
     }
@@ -272,7 +286,7 @@ impl Body {
     }
 
     /// At a joint where the body would stop: what drives it there presses on it again, though the body would run ahead.
-    pub(super) fn is_pressed_at_joint(&mut self, terrain: &Terrain) -> bool {
+    pub(super) fn is_pressed_at_joint(&mut self, terrain: &Terrain, trace: &mut Trace) -> bool {
         for i in 0..self.beside.len() {
             let beside = &self.beside[i];
             if beside.contact.is_none()
@@ -280,6 +294,7 @@ impl Body {
             {
                 let beside = &mut self.beside[i];
                 (beside.contact, beside.of) = (Some(contact), None);
+                trace.touched += 1;
             }
         }
         self.is_pressed()

@@ -322,12 +322,13 @@ fn nearest_on(ground: Ground, e: EdgeId, p: DVec2) -> DVec2 {
 }
 
 /// How near an edge is to a position: smaller comes first. Of equally near edges that with the higher point, then that to which
-/// a velocity leads.
+/// a velocity leads, then the more level one: two that meet at the nearest point are told apart alike in a mirrored world.
 #[derive(PartialEq)]
 struct Nearness {
     distance: f64,
     height: f64,
     leads: f64,
+    level: f64,
     /// Tells apart what is equally near, the same way after any sequence of edits.
     ends: [Point; 2],
 }
@@ -335,11 +336,14 @@ struct Nearness {
 impl Nearness {
     fn of(ground: Ground, e: EdgeId, p: DVec2, v: DVec2) -> Nearness {
         let at = nearest_on(ground, e, p);
+        let ends = [ground.origin(e), ground.dest(e)].map(|v| ground.point(v));
+        let along = ends[1].metres() - ends[0].metres();
         Nearness {
             distance: (at - p).length(),
             height: at.y,
             leads: (at - p).dot(v),
-            ends: [ground.origin(e), ground.dest(e)].map(|v| ground.point(v)),
+            level: along.x.abs() / along.length(),
+            ends,
         }
     }
 }
@@ -352,6 +356,7 @@ impl Ord for Nearness {
         by(self.distance, other.distance)
             .then(by(other.height, self.height))
             .then(by(other.leads, self.leads))
+            .then(by(other.level, self.level))
             .then(self.ends.cmp(&other.ends))
     }
 }

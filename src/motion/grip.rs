@@ -149,7 +149,7 @@ impl Body {
                 let on = joint.onto(mesh, next, s);
                 self.settle(s, next, on.start, 0.0, 0.0, terrain, trace);
             }
-            _ if self.is_pressed_at_joint(terrain)
+            _ if self.is_pressed_at_joint(terrain, trace)
                 && self.presses_on(joint.track.tangent * joint.sign, terrain) =>
             {
                 // Nobody holds on against what drives him over the end of the wall.

@@ -67,11 +67,13 @@ impl Body {
         let ground = Footing::under(joint.segment, &joint.track, self.ground(terrain), terrain);
         let crouched = self.size == Size::Crouch;
         let push = forward * ground.law(0.0, &self.control, crouched, t).accel;
-        let back = forward * law::steer(forward * joint.speed, &self.control, t).accel;
+        // The stick and the drag of the air count in the level, whatever carries him.
+        let frame = self.frame_piece();
+        let x = forward * joint.speed + frame.velocity(self.time).x;
+        let back = forward * (law::steer(x, &self.control, t).accel - frame.accel.x);
+        let wishes = self.control.run * forward < 0.0 || self.frame.is_some();
         let width = f64::from(JOINT_STEPS) * STEP;
-        let flies_back = self.control.run * forward < 0.0
-            && back < 0.0
-            && joint.speed * joint.speed <= -2.0 * back * width;
+        let flies_back = wishes && back < 0.0 && joint.speed * joint.speed <= -2.0 * back * width;
         let climbs_back =
             self.control.up && self.control.run == 0.0 && push > 0.0 && joint.speed == 0.0;
         !self.is_pressed() && (flies_back || climbs_back)

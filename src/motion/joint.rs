@@ -227,7 +227,9 @@ impl Body {
             {
                 self.bend(&on, joint.speed, terrain, trace);
             }
-            on if self.is_pressed_at_joint(terrain) => self.squeeze(joint, on, terrain, trace),
+            on if self.is_pressed_at_joint(terrain, trace) => {
+                self.squeeze(joint, on, terrain, trace)
+            }
             Some(_) if self.step_up(&joint, terrain, trace) => {}
             Some(on) if climbs(joint.speed * on.cosine, t) => {
                 let up = joint.speed * on.cosine;
@@ -275,7 +277,7 @@ impl Body {
             surface.since = (now - surface.t0).max(surface.since);
             return true;
         }
-        if self.is_pressed_at_joint(terrain) && self.is_shut(&joint, &on, terrain) {
+        if self.is_pressed_at_joint(terrain, trace) && self.is_shut(&joint, &on, terrain) {
             self.be_shut(&on, terrain, trace);
             return false;
         }
@@ -382,7 +384,7 @@ impl Body {
     ) {
         let mesh = self.ground(terrain);
         let blocks = onward.as_ref().is_none_or(|on| on.towards);
-        if blocks && self.is_pressed_at_joint(terrain) {
+        if blocks && self.is_pressed_at_joint(terrain, trace) {
             return self.squeeze(joint, onward, terrain, trace);
         }
         if self.climbing {

@@ -207,12 +207,13 @@ impl Body {
     /// The accelerations of one who climbs: towards the velocity that he wishes for; along something steep, towards its part
     /// along that.
     pub(super) fn choose_on_ladder(&mut self, t: &Motion) {
-        let goal = self.climb_goal(t);
         // From the base of the piece: a mere touch leaves the piece as it is.
-        let base = match &self.mode {
-            Mode::Air(air) => air.v0,
-            _ => self.velocity(),
+        let (base, since) = match &self.mode {
+            Mode::Air(air) => (air.v0, air.t0),
+            Mode::Surface(on) => (self.velocity(), on.t0),
+            _ => (self.velocity(), self.time),
         };
+        let goal = self.climb_goal(since, t);
         let accel = self.climb_accel(base, t);
         match &mut self.mode {
             Mode::Air(air) => {
@@ -236,16 +237,16 @@ impl Body {
 
     /// Whether one who climbs along something is driven away from it, by more than rounding makes of a drive along it.
     pub(super) fn climbs_off(&self, track: &Track, speed: f64, t: &Motion) -> bool {
-        let goal = self.climb_goal(t);
+        let goal = self.climb_goal(self.time, t);
         let rounding = ROUNDING * (goal.length() + speed.abs());
         let drive = self.climb_accel(self.velocity(), t) - self.frame_accel();
         let carried = self.frame.is_some();
         track.normal.dot(goal) > rounding && (!carried || track.normal.dot(drive) > 0.0)
     }
 
-    /// The velocity that one who climbs wishes for, as what carries him sees it: a ladder stands in the level.
-    fn climb_goal(&self, t: &Motion) -> DVec2 {
-        self.climb_wish() * t.climb_speed - self.frame_piece().velocity(self.time)
+    /// The velocity that one who climbs wishes for, as what carries him at a time sees it: a ladder stands in the level.
+    fn climb_goal(&self, at: f64, t: &Motion) -> DVec2 {
+        self.climb_wish() * t.climb_speed - self.frame_piece().velocity(at)
     }
 
     /// At the top of a ladder, in line with a one-way: up onto that, for there is no climbing on. False if it is none.

@@ -1,7 +1,7 @@
 //! Struck by another frame: a body on a surface, or wedged, that an edge of another frame comes up against, or that comes up
 //! against one. It is taken over by that edge, or stays and is pressed by it: see [`super::contact`].
 
-use super::body::{Body, EventKind, Mode, Size, Surface, Trace};
+use super::body::{Body, EventKind, Mode, Size, Surface, Trace, Wedge};
 use super::contact::Contact;
 use super::footing::Footing;
 use super::grip::Grip;
@@ -12,7 +12,7 @@ use super::vertex::{
     Bearing, Heading, JOINT_STEPS, Sector, face_towards, fan_ends, sector, segment_at, surface_next,
 };
 use crate::geom::STEP;
-use crate::mesh::{EdgeId, SegmentId};
+use crate::mesh::{EdgeId, FaceId, SegmentId};
 use crate::tune::Motion;
 use glam::DVec2;
 
@@ -39,15 +39,20 @@ impl Body {
             return;
         }
         self.rebase();
+        self.keep_to_edge(terrain);
         let into = into.max(0.0);
         let opens = below.track.normal.dot(track.normal);
+        // Who is pressed onto his surface has all of them decide together.
+        let free = opens > 0.0 && !self.is_pinned(below.track.normal);
         let hands_over = match (walks, onto) {
-            (true, true) => opens > 0.0,
-            (false, true) => true,
-            (true, false) => false,
-            (false, false) => {
-                opens > 0.0 && rises(into * opens, t) && !self.is_pinned(below.track.normal)
+            (true, true) => free,
+            // Who holds on is pushed by ground from which he would come off at once.
+            (false, true) => {
+                let accel = self.beside[i].piece().accel;
+                below.grip == Grip::None || !self.drops_from(track.normal, accel, t)
             }
+            (true, false) => false,
+            (false, false) => free && rises(into * opens, t),
         };
         let contact = Contact {
             segment,
@@ -85,6 +90,23 @@ impl Body {
                 edge: below.edge,
             };
             self.beside[i].contact = Some(was);
+        }
+    }
+
+    /// Where rounding of the time has put the body before the end of its piece that it has just passed, that end.
+    fn keep_to_edge(&mut self, terrain: &Terrain) {
+        let mesh = self.ground(terrain);
+        let Mode::Surface(on) = &self.mode else {
+            return;
+        };
+        let ends = [mesh.origin(on.edge), mesh.dest(on.edge)];
+        let [a, b] = ends.map(|v| on.track.parameter_of(mesh.point(v)));
+        let s = on.s0.clamp(a.min(b), a.max(b));
+        let rounding = self.rounding_along(&on.track, self.local_velocity());
+        if let Mode::Surface(on) = &mut self.mode
+            && (s - on.s0).abs() <= rounding
+        {
+            on.s0 = s;
         }
     }
 
@@ -129,7 +151,7 @@ impl Body {
         let mesh = beside.ground(size, terrain);
         let track = mesh.track(segment);
         let known = beside.flight.touching.contains(&Some(segment));
-        let (s, rounding) = (track.parameter(q), self.rounding_along(&track));
+        let (s, rounding) = (track.parameter(q), self.rounding_along(&track, w));
         let beside = &mut self.beside[i];
         let bearing = Bearing::of(w, beside.flight.accel);
         let ends =
@@ -381,17 +403,29 @@ impl Body {
         }
     }
 
+    /// The free face into which a velocity leads from here: out of a wedge not always the one that it is in.
+    pub(super) fn face_ahead(&self, v: DVec2, mesh: Ground) -> FaceId {
+        let spoke = match &self.mode {
+            Mode::Wedge(wedge) => spoke_of(wedge, mesh),
+            _ => None,
+        };
+        let bearing = Bearing {
+            d: v,
+            then: DVec2::ZERO,
+        };
+        match spoke.map(|spoke| sector(mesh, spoke, bearing)) {
+            Some(Sector::Free(face)) => face,
+            _ => self.face(&mesh),
+        }
+    }
+
     /// The two surfaces that hold a wedged body, at rest on each of them, and the directions that lead out of the corner.
     pub(super) fn sides_of_wedge(&self, terrain: &Terrain) -> Option<[(Surface, DVec2); 2]> {
         let Mode::Wedge(wedge) = &self.mode else {
             return None;
         };
         let mesh = self.ground(terrain);
-        let distance = |e: &EdgeId| (mesh.point(mesh.origin(*e)).metres() - wedge.at).length();
-        let corners = mesh.sides(wedge.face);
-        let spoke = corners
-            .into_iter()
-            .min_by(|a, b| distance(a).total_cmp(&distance(b)))?;
+        let spoke = spoke_of(wedge, mesh)?;
         let surface = |edge: EdgeId| {
             let segment = segment_at(mesh, edge, |_| false)?;
             let track = mesh.track(segment);
@@ -405,6 +439,13 @@ impl Body {
         let (out, into) = fan_ends(mesh, spoke)?;
         Some([surface(out)?, surface(into)?])
     }
+}
+
+/// The edge out of the vertex of a wedge with its face on the left.
+fn spoke_of(wedge: &Wedge, mesh: Ground) -> Option<EdgeId> {
+    let distance = |e: &EdgeId| (mesh.point(mesh.origin(*e)).metres() - wedge.at).length();
+    let corners = mesh.sides(wedge.face).into_iter();
+    corners.min_by(|a, b| distance(a).total_cmp(&distance(b)))
 }
 
 /// The speed of a walker who goes on from a road, where he has the speed `u`, onto another of another frame, in which his velocity

@@ -14,6 +14,7 @@ use super::terrain::{Ground, Terrain};
 use super::vertex::{Bearing, JOINT_STEPS, Sector, sector, segment_at, spokes};
 use crate::geom::STEP;
 use crate::mesh::{EdgeId, FaceId, SegmentId};
+use crate::tune::Motion;
 use glam::DVec2;
 
 /// What rounding makes of a sum of products, relative to the largest of them.
@@ -98,15 +99,20 @@ impl Body {
             Mode::Wedge(_) => DVec2::Y,
             _ => return,
         };
-        // In flight the laws of the fall and of the stick hold, so those must lead away too, lest the body comes back at once.
-        let (t, v) = (terrain.tuning, self.velocity());
-        let falls = law::fall(v.y, &self.control, t).accel;
-        let steers = law::steer(v.x, &self.control, t).accel;
-        let away = |x: f64, y: f64| normal.dot(DVec2::new(x, y) - ride.piece.accel) > 0.0;
-        let away = away(0.0, -t.gravity) && away(0.0, falls) && away(steers, falls);
-        if away && !self.is_pinned(normal) {
+        let drops = self.drops_from(normal, ride.piece.accel, terrain.tuning);
+        if drops && !self.is_pinned(normal) {
             self.come_off(terrain, trace);
         }
+    }
+
+    /// Whether ground with this normal and acceleration falls away faster than the body would. In flight the laws of the fall and
+    /// of the stick hold, so those must lead away too, lest the body comes back at once.
+    pub(super) fn drops_from(&self, normal: DVec2, accel: DVec2, t: &Motion) -> bool {
+        let v = self.velocity();
+        let falls = law::fall(v.y, &self.control, t).accel;
+        let steers = law::steer(v.x, &self.control, t).accel;
+        let away = |x: f64, y: f64| normal.dot(DVec2::new(x, y) - accel) > 0.0;
+        away(0.0, -t.gravity) && away(0.0, falls) && away(steers, falls)
     }
 
     /// The motion of what carries the body: rest for the level.

@@ -251,8 +251,7 @@ impl Body {
     fn jump(&mut self, terrain: &Terrain, trace: &mut Trace) {
         let t = terrain.tuning;
         let mesh = self.ground(terrain);
-        let (mut v, face) = (self.local_velocity(), self.face(&mesh));
-        let p = self.local_position();
+        let (p, mut v) = (self.local_position(), self.local_velocity());
         v.y = v.y.max(0.0) + t.jump_speed;
         v += self.remembered(terrain);
         // In a corner the wall takes up what goes into it: its piece there may have been displaced, and tell nothing.
@@ -266,7 +265,7 @@ impl Body {
                 v = DVec2::ZERO;
             }
         }
-        let touching = [first, wall.or(second)];
+        let (face, touching) = (self.face_ahead(v, mesh), [first, wall.or(second)]);
         self.fly(p, v, face, touching);
         if std::mem::take(&mut self.climbing) {
             self.reach = Reach::AfterApex;

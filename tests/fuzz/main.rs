@@ -1,7 +1,6 @@
 //! A seeded fuzz test of the motion: random worlds with every mechanism, random controls and edits, every invariant after
 //! every tick and every event. `FUZZ_TICKS`, `FUZZ_SEED` and `FUZZ_WORLDS` lengthen it and move it; `FUZZ_CASE` names a
-//! file with one run to repeat. Moving solids are in the worlds with `FUZZ_MOVERS=1`: runs with them still fail, about once in
-//! 200 000 ticks, mostly where a body hangs from a ledge or is pressed between two of them.
+//! file with one run to repeat. Most worlds have moving solids.
 //!
 //! A run that fails is cut down to what it needs and written to `target/fuzz`, and as a level to `levels/dev` if it can be one.
 //! Once its fault is mended it belongs into `tests/fuzz/found`, where every run is repeated.

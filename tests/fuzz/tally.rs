@@ -18,21 +18,35 @@ pub struct Tally {
 }
 
 /// Modes that must not be rarer than one tick in [`RAREST`].
-const MODES: &[&str] = &["Air", "Ground", "Slide", "Wedge"];
+const MODES: &[&str] = &[
+    "Air",
+    "Crushed",
+    "Ground",
+    "Ride",
+    "Slide",
+    "SlideOnMover",
+    "Wedge",
+];
 
 /// Ways from mode to mode for which the same holds.
 const TRANSITIONS: &[(&str, &str)] = &[
     ("Air", "Ground"),
+    ("Air", "Ride"),
     ("Air", "Slide"),
+    ("Air", "SlideOnMover"),
     ("Ground", "Air"),
+    ("Ride", "Air"),
     ("Slide", "Air"),
     ("Slide", "Ground"),
+    ("SlideOnMover", "Air"),
 ];
 
 /// Events for which the same holds: all but `Stuck`, which must not occur.
 const EVENTS: &[&str] = &[
+    "Boarded",
     "Climbed",
     "Corrected",
+    "Crushed",
     "Embedded",
     "Entered",
     "Exited",
@@ -44,7 +58,9 @@ const EVENTS: &[&str] = &[
     "Left",
     "LetGo",
     "Limit",
+    "Node",
     "Parted",
+    "Pushed",
     "Resized",
     "Stopped",
     "Unlocked",

@@ -43,8 +43,8 @@ pub fn world(dice: &mut Dice) -> World {
     for _ in 0..2 + dice.below(4) {
         features.push(region(dice, family));
     }
-    let count = dice.below(5) * super::env("FUZZ_MOVERS", 0) as i32;
-    let mut movers: Vec<Mover> = (0..count).map(|_| mover(dice, family)).collect();
+    let mut movers: Vec<Mover> = (0..dice.below(4)).map(|_| mover(dice, family)).collect();
+    movers.extend((0..1 + dice.below(3)).map(|_| machine(dice, family)));
     let in_movers = movers.iter_mut().flat_map(|m| &mut m.features);
     for feature in features.iter_mut().chain(in_movers) {
         rotate(&mut feature.outline, turn);
@@ -220,6 +220,27 @@ fn mover(dice: &mut Dice, family: Family) -> Mover {
         features: vec![body],
         path,
         repeat: [Repeat::Loop, Repeat::PingPong][dice.below(2) as usize],
+        starts: Default::default(),
+    }
+}
+
+/// A block that comes down to the floor, or sweeps over it, or a lift that comes up out of it.
+fn machine(dice: &mut Dice, family: Family) -> Mover {
+    let x = place(dice, family).x;
+    let kind = dice.below(3) as usize;
+    let outline = match kind {
+        0 => rect(x, -7.75, x + 0.5, -5.0),
+        1 => rect(x, -5.5, x + 5.0, -4.5),
+        _ => rect(x, -9.0, x + 4.0, -8.25),
+    };
+    let side = [-9.0, 9.0][dice.below(2) as usize];
+    let way = [(side, 0.0), (0.0, -2.5), (0.0, 1.5)].map(DVec2::from)[kind];
+    let stop = |at: DVec2, dice: &mut Dice| Stop { at, ..stop(dice) };
+    Mover {
+        id: String::new(),
+        features: vec![solid(dice, outline)],
+        path: vec![stop(DVec2::ZERO, dice), stop(way, dice)],
+        repeat: Repeat::PingPong,
         starts: Default::default(),
     }
 }
