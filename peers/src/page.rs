@@ -17,7 +17,7 @@ pub struct Line {
     pub points: Vec<(f64, f64)>,
 }
 
-/// What a plot's axes say, and the smallest value that is drawn: what is below it, is drawn there.
+/// What a plot's axes say, and where they begin upwards: what is below that, is drawn there.
 pub struct Axes {
     pub title: &'static str,
     pub x: &'static str,
@@ -112,7 +112,7 @@ fn draw(path: &Path, axes: &Axes, lines: &[Line]) -> Result<(), Box<dyn std::err
     let all = lines.iter().flat_map(|line| &line.points);
     let (xs, ys) = (
         decades(all.clone().map(|p| p.0)),
-        decades(all.map(|p| shown(p.1))),
+        decades(all.map(|p| shown(p.1)).chain(std::iter::once(axes.floor))),
     );
     let mut chart = ChartBuilder::on(&area)
         .caption(axes.title, ("sans-serif", 19))

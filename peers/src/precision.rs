@@ -38,7 +38,7 @@ pub fn write(page: &mut Page, quick: bool) -> Precision {
     );
     let mut found = Precision::default();
     for scene in scenes::all() {
-        let rows = measure(&scene, if quick { 3 } else { 9 });
+        let rows = measure(&scene, if quick { 3 } else { 25 });
         found.ours = rows[0].errors.iter().copied().fold(found.ours, f64::max);
         for row in &rows[1..] {
             let best = row.errors.iter().copied().fold(f64::INFINITY, f64::min);
@@ -100,7 +100,7 @@ fn show(page: &mut Page, scene: &Scene, rows: &[Row]) {
         x: "ns per simulated second",
         y: "largest error, m",
         floor: 1e-16,
-        legend: SeriesLabelPosition::LowerRight,
+        legend: SeriesLabelPosition::MiddleLeft,
     };
     let lines: Vec<Line> = rows.iter().map(line).collect();
     page.plot(&format!("precision-{}.svg", scene.name), &axes, &lines);

@@ -61,7 +61,7 @@ pub fn write(page: &mut Page, quick: bool) {
             .to_string(),
         "**Parry** is exact to its last bit where one cast decides (`lands along a slope of 45 degrees`), for any pair of shapes.".to_string(),
         "**Push out**, some hundred lines, is exact on level ground and on lifts, and cheap where little is around.".to_string(),
-        "**spade** takes coordinates as they are, needs less than half of the memory per vertex, and refines meshes. **delaunator** is the fastest \
+        "**spade** takes coordinates as they are, needs half of the memory per vertex, and refines meshes. **delaunator** is the fastest \
          for plain points."
             .to_string(),
     ]);

@@ -150,8 +150,8 @@ fn steps(page: &mut Page, quick: bool, found: &mut Scaling) {
         title: "a step against the size of the level",
         x: "constrained edges",
         y: "ns per step",
-        floor: 0.1,
-        legend: SeriesLabelPosition::MiddleRight,
+        floor: 1.0,
+        legend: SeriesLabelPosition::LowerRight,
     };
     page.plot("scaling-steps.svg", &axes, &lines);
     page.say(
@@ -328,7 +328,7 @@ fn building(page: &mut Page, quick: bool, found: &mut Scaling) {
         let (crossing, apart) = (meshes::octagons(1, n), meshes::apart(1, n));
         let (edges, apart_edges) = (meshes::edges(&crossing), meshes::edges(&apart));
         let points = meshes::corners(&apart);
-        let rounds = (if quick { 30_000 } else { 110_000 } / n).clamp(1, 15);
+        let rounds = (if quick { 30_000 } else { 150_000 } / n).clamp(1, 15);
         let t = interleaved(
             rounds,
             &mut [

@@ -180,7 +180,7 @@ fn losses(precision: &Precision, scaling: &Scaling) -> String {
         text +=
             &format!("- Building its mesh takes {slower:.2} times as long as building spade's.\n");
     }
-    text += "- Its mesh takes more than twice spade's memory per vertex, and plain points are much faster with delaunator (section 4).\n";
+    text += "- Its mesh takes about twice spade's memory per vertex, and plain points are much faster with delaunator (section 4).\n";
     text += "- Its world ends 4096 m from the origin, on a grid of 15 micrometres; the others go on, less exactly (section 5).\n";
     text += "- Bodies are convex polygons that do not turn, and do not push one another; solids move but do not rotate. Box2D and Rapier do all \
         of that.\n";
