@@ -1,6 +1,6 @@
 //! The section on scaling: steps against level size and speed, meshes against size, edits against size.
 
-use crate::clock::{interleaved, keep, median, time};
+use crate::clock::{in_turn, keep, making, median, time};
 use crate::memory;
 use crate::meshes;
 use crate::movers::box2d::Box2d;
@@ -329,14 +329,14 @@ fn building(page: &mut Page, quick: bool, found: &mut Scaling) {
         let (edges, apart_edges) = (meshes::edges(&crossing), meshes::edges(&apart));
         let points = meshes::corners(&apart);
         let rounds = (if quick { 30_000 } else { 150_000 } / n).clamp(1, 15);
-        let t = interleaved(
+        let t = in_turn(
             rounds,
             &mut [
-                &mut || keep(Mesh::build(&edges)),
-                &mut || keep(meshes::spade(&crossing)),
-                &mut || keep(Mesh::build(&apart_edges)),
-                &mut || keep(meshes::spade(&apart)),
-                &mut || keep(meshes::delaunator(&points)),
+                &mut || making(|| Mesh::build(&edges)),
+                &mut || making(|| meshes::spade(&crossing)),
+                &mut || making(|| Mesh::build(&apart_edges)),
+                &mut || making(|| meshes::spade(&apart)),
+                &mut || making(|| meshes::delaunator(&points)),
             ],
         );
         if n == 10_000 {
