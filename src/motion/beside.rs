@@ -320,6 +320,16 @@ impl Body {
         let level = self.ground(terrain);
         if let Mode::Air(air) = &mut self.mode {
             let face = moved(level, air.face, air.position(t), p);
+            // Before what it leaves in the level, and not behind it by the rounding of the way there.
+            let before = |p: DVec2, s: SegmentId| {
+                let track = level.track(s);
+                let (height, ..) = track.height(p, p, p);
+                match (-STEP..0.0).contains(&height) {
+                    true => p - track.normal * height,
+                    false => p,
+                }
+            };
+            let p = air.touching.into_iter().flatten().fold(p, before);
             *air = Air {
                 touching: air.touching,
                 lock: air.lock,

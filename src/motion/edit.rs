@@ -312,10 +312,14 @@ fn nearest_rim(ground: Ground, p: DVec2, v: DVec2) -> Option<(EdgeId, DVec2)> {
     found
 }
 
-/// The nearest point of an edge, measured from its lower end, for the mirror's sake.
+/// The nearest point of an edge, measured from its lower end, or of equally low ones the nearer, for the mirror's sake.
 fn nearest_on(ground: Ground, e: EdgeId, p: DVec2) -> DVec2 {
     let [a, b] = [ground.origin(e), ground.dest(e)].map(|v| ground.point(v).metres());
-    let (from, to) = if b.y < a.y { (b, a) } else { (a, b) };
+    let nearer = (b.x - p.x).abs() < (a.x - p.x).abs();
+    let (from, to) = match b.y < a.y || b.y == a.y && nearer {
+        true => (b, a),
+        false => (a, b),
+    };
     let along = to - from;
     let share = (p - from).dot(along) / along.length_squared();
     from + along * share.clamp(0.0, 1.0)
