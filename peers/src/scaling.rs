@@ -25,6 +25,8 @@ pub struct Scaling {
     pub edges: [usize; 2],
     /// Building 1e4 overlapping octagons: ours and spade's, ns.
     pub build: [f64; 2],
+    /// Our time in spade's at the size where that is largest: octagons that cross, and octagons apart.
+    pub slowest: [f64; 2],
     /// Moving one octagon among 1000: median ns, and vertices before and after.
     pub moving: f64,
     pub vertices: [usize; 2],
@@ -339,6 +341,8 @@ fn building(page: &mut Page, quick: bool, found: &mut Scaling) {
                 &mut || making(|| meshes::delaunator(&points)),
             ],
         );
+        let ratios = [t[0] / t[1], t[2] / t[3]];
+        found.slowest = [0, 1].map(|i| ratios[i].max(found.slowest[i]));
         if n == 10_000 {
             found.build = [t[0], t[1]];
         }

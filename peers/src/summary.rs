@@ -175,11 +175,11 @@ fn losses(precision: &Precision, scaling: &Scaling) -> String {
     text += &format!(
         "- Not every peer is off by 1e-3 m everywhere. Better than that at their best rate: {close}.\n"
     );
-    let slower = scaling.build[0] / scaling.build[1];
-    if slower > 1.0 {
-        text +=
-            &format!("- Building its mesh takes {slower:.2} times as long as building spade's.\n");
-    }
+    let [crossing, apart] = scaling.slowest;
+    text += &format!(
+        "- Building its mesh takes up to {crossing:.2} times as long as building spade's where outlines cross, the most in small \
+         meshes, and up to {apart:.2} times where they do not (section 4).\n"
+    );
     text += "- Its mesh takes about twice spade's memory per vertex, and plain points are much faster with delaunator (section 4).\n";
     text += "- Its world ends 4096 m from the origin, on a grid of 15 micrometres; the others go on, less exactly (section 5).\n";
     text += "- Bodies are convex polygons that do not turn, and do not push one another; solids move but do not rotate. Box2D and Rapier do all \
