@@ -102,13 +102,19 @@ impl Body {
 
     /// Moves up to a time, event by event. Nothing happens if it is not later than now.
     pub fn advance(&mut self, to: f64, terrain: &Terrain, trace: &mut Trace) {
-        let mut still = 0;
+        let (mut still, mut held) = (0, None);
         while let Some((at, what)) = self.next.filter(|&(at, _)| at <= to) {
             still = if at > self.time { 0 } else { still + 1 };
             self.time = at.max(self.time);
             if still > CYCLE {
-                self.hold(terrain, trace);
-                break;
+                // Where rest does not end it either, between solids that move, the body is crushed.
+                match held == Some(self.time) {
+                    true => self.crush(terrain, trace),
+                    false => self.hold(terrain, trace),
+                }
+                self.refresh(terrain, trace);
+                (still, held) = (0, Some(self.time));
+                continue;
             }
             self.handle(what, terrain, trace);
         }
