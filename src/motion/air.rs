@@ -109,21 +109,19 @@ impl Air {
     fn comes_back_to(&self, mesh: Ground, segment: SegmentId) -> Option<f64> {
         let track = mesh.track(segment);
         let (c, b, q) = track.height(self.p0, self.v0, self.accel);
-        // In another frame a height above it may be rounding too.
-        let highest = if self.grain > 0.0 {
-            self.rounding()
-        } else {
-            0.0
+        // In another frame a height above it, and what the velocity and the acceleration have across it, may be rounding too.
+        let (highest, grain, flat) = match self.grain > 0.0 {
+            true => (
+                self.rounding(),
+                self.grain + f64::EPSILON * self.t0.abs() * self.accel.length(),
+                q.abs() <= ROUNDING * self.accel.length(),
+            ),
+            false => (0.0, 0.0, false),
         };
         let on_it = (-STEP..=highest).contains(&c);
-        let grain = match self.grain > 0.0 {
-            true => self.grain + f64::EPSILON * self.t0.abs() * self.accel.length(),
-            false => 0.0,
-        };
         let along = on_it && b.abs() <= 16.0 * f64::EPSILON * self.v0.length() + grain;
         let (c, b) = (if on_it { 0.0 } else { c }, if along { 0.0 } else { b });
-        let straight = along && self.grain > 0.0 && q.abs() <= ROUNDING * self.accel.length();
-        exit(c, b, if straight { 0.0 } else { q }, self.since)
+        exit(c, b, if along && flat { 0.0 } else { q }, self.since)
     }
 
     /// What rounding makes of the position at the start of the piece, m.
@@ -164,8 +162,8 @@ impl Air {
             .min_by(|a, b| a.0.total_cmp(&b.0))
     }
 
-    /// When a flight along an edge that it touches, or that it falls through, passes the end of that, where the free edge `e` begins, and where it leads
-    /// from there: if it crosses the line of that edge later, at `dt`, and only beyond this end.
+    /// When a flight along an edge that it touches, or that it falls through, passes the end of that, where the free edge `e`
+    /// begins, and where it leads from there: if it crosses the line of that edge later, at `dt`, and only beyond this end.
     fn passes_end(&self, mesh: Ground, e: EdgeId, dt: f64) -> Option<(f64, Next)> {
         if !self.is_beyond(mesh, e, dt) {
             return None;

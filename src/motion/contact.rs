@@ -7,6 +7,7 @@
 
 use super::beside::{Beside, ROUNDING};
 use super::body::{Air, Body, EventKind, Mode, Next, Surface, Trace};
+use super::edit::again;
 use super::grip::Grip;
 use super::joint::Onward;
 use super::mover::Piece;
@@ -52,12 +53,7 @@ impl Contact {
 impl Contact {
     /// The same contact in the mesh of another size, if its feature edge is there too and free at a position.
     pub(super) fn again(&self, at: DVec2, old: Ground, new: Ground) -> Option<Contact> {
-        let was = *old.segment(self.segment);
-        let segment = new.segment_of(was.feature, was.source)?;
-        let is = new.segment(segment);
-        if (is.a, is.b) != (was.a, was.b) {
-            return None;
-        }
+        let segment = again(new, old.segment(self.segment))?;
         let piece = [old.origin(self.edge), old.dest(self.edge)].map(|v| old.point(v));
         self.at(at, segment, new, Some(piece))
     }
