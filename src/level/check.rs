@@ -23,6 +23,9 @@ const DEPTH_LIMIT: f64 = 1000.0;
 /// Scenery is at most this many times its usual size.
 const SCALE_LIMIT: f64 = 100.0;
 
+/// Scenery is turned by at most this many degrees, either way.
+const TURN_LIMIT: f64 = 360.0;
+
 /// Checks every rule, in the order of the fields.
 ///
 /// # Errors
@@ -165,7 +168,11 @@ fn check_free(level: &Level, at: DVec2, entity: &Entity, field: &str) -> Result<
 fn check_scenery(index: usize, scenery: &Scenery) -> Result<(), Flaw> {
     let entity = Entity::Scenery(index);
     let Scenery {
-        at, depth, scale, ..
+        at,
+        depth,
+        scale,
+        turn,
+        ..
     } = *scenery;
     check_point(&entity, "at", at)?;
     require(depth.abs() <= DEPTH_LIMIT, &entity, "depth", || {
@@ -177,7 +184,12 @@ fn check_scenery(index: usize, scenery: &Scenery) -> Result<(), Flaw> {
         &entity,
         "scale",
         || format!("{} is not above 0 and at most {SCALE_LIMIT}", shown(scale)),
-    )
+    )?;
+    let turn = turn.unwrap_or_default();
+    require(turn.abs() <= TURN_LIMIT, &entity, "turn", || {
+        let turn = shown(turn);
+        format!("{turn} is outside -{TURN_LIMIT}..={TURN_LIMIT} degrees")
+    })
 }
 
 fn check_point(entity: &Entity, field: &str, p: DVec2) -> Result<(), Flaw> {

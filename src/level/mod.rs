@@ -11,12 +11,14 @@ mod feature;
 mod file;
 mod marks;
 mod mover;
+mod scenery;
 
 pub use check::{COORDINATE_LIMIT, CORNER_LIMIT, check, check_feature};
 pub use error::{Entity, Flaw, LevelError};
 pub use feature::{By, Concave, Feature, Kind, Material};
 pub use file::{check_writable, load, parse, read, save, without_mark, write_atomically};
 pub use mover::{Easing, Mover, Repeat, Starts, Stop};
+pub use scenery::{Scenery, SceneryKind};
 
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
@@ -63,41 +65,4 @@ impl Rect {
     pub fn contains(&self, p: DVec2) -> bool {
         p.cmpge(self.min).all() && p.cmple(self.max).all()
     }
-}
-
-/// A thing that is seen and not touched.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Scenery {
-    /// What it is.
-    pub kind: SceneryKind,
-    /// Its foot, in metres, in the plane of play.
-    pub at: DVec2,
-    /// How far behind (negative) or in front of the plane of play, in metres.
-    #[serde(default)]
-    pub depth: f64,
-    /// Size, as a multiple of its usual one.
-    #[serde(default = "one")]
-    pub scale: f64,
-}
-
-fn one() -> f64 {
-    1.0
-}
-
-/// Kinds of scenery.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
-pub enum SceneryKind {
-    /// A lamp on a post that lights its surroundings.
-    Lantern,
-    /// A standing or broken column.
-    Pillar,
-    /// A square tower in the distance.
-    Tower,
-    /// A wooden crane of the quarry.
-    Crane,
-    /// A tuft of grass or a bush.
-    Plant,
-    /// A hanging cloth.
-    Banner,
 }

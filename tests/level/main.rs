@@ -37,7 +37,7 @@ const SMALL: &str = r#"// features: [ (id: "not this one
     ],
     scenery: [
         (kind: Lantern, at: (1, 0)),
-        (kind: Crane, at: (2, 0), depth: -8, scale: 1.5),
+        (kind: Crane, at: (2, 0), depth: -8, scale: 1.5, turn: Some(30), flip: true),
     ],
 )
 "#;
@@ -68,6 +68,14 @@ fn the_small_level_is_read() {
     assert_eq!((level.features.len(), level.scenery.len()), (2, 2));
     assert_eq!(level.features[0].id, "floor, [(\"quoted\")]");
     assert_eq!((level.scenery[0].depth, level.scenery[0].scale), (0.0, 1.0));
+    assert_eq!(
+        (level.scenery[0].turn, level.scenery[0].flip),
+        (None, false)
+    );
+    assert_eq!(
+        (level.scenery[1].turn, level.scenery[1].flip),
+        (Some(30.0), true)
+    );
 }
 
 #[test]
@@ -122,6 +130,16 @@ fn numbers_that_are_none_or_too_large_are_refused() {
             "1.5",
             "0",
             "small.ron:28: scenery[1], scale: 0 is not above 0 and at most 100",
+        ),
+        (
+            "30",
+            "-361",
+            "small.ron:28: scenery[1], turn: -361 is outside -360..=360 degrees",
+        ),
+        (
+            "30",
+            "NaN",
+            "small.ron:28: scenery[1], turn: NaN is outside -360..=360 degrees",
         ),
     ];
     for (from, to, expected) in cases {

@@ -197,9 +197,15 @@ impl Model {
         self.cap(&[start[3], start[2], start[1], start[0]], paint);
     }
 
-    /// Adds another model, moved.
+    /// Adds another model, moved; mirrored facets are seen from their fronts as before.
     pub fn add(&mut self, other: &Model, place: Mat4) {
-        for vertex in other.words.chunks_exact(VERTEX_WORDS) {
+        let order = match place.determinant() < 0.0 {
+            true => [0, 2, 1],
+            false => [0, 1, 2],
+        };
+        let facets = other.words.chunks_exact(3 * VERTEX_WORDS);
+        let corner = |i: usize| i * VERTEX_WORDS..(i + 1) * VERTEX_WORDS;
+        for vertex in facets.flat_map(|facet| order.map(|i| &facet[corner(i)])) {
             let at = Vec3::from_array([0, 1, 2].map(|i| f32::from_bits(vertex[i])));
             let normal = unpack_signed(vertex[3]);
             self.words
@@ -270,6 +276,15 @@ mod tests {
             grey,
         );
         assert!((volume(&model) - 6.0).abs() < 1e-4, "{}", volume(&model));
+    }
+
+    #[test]
+    fn what_is_mirrored_still_looks_outwards() {
+        let (mut block, mut mirrored) = (Model::default(), Model::default());
+        block.slab(Vec3::X, (0.5, 0.5), 2.0, paint(0x808080));
+        mirrored.add(&block, Mat4::from_scale(Vec3::new(-1.0, 1.0, 1.0)));
+        assert!((volume(&mirrored) - 12.0).abs() < 1e-4);
+        assert_eq!(mirrored.words.len(), block.words.len());
     }
 
     #[test]

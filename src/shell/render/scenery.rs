@@ -27,8 +27,8 @@ pub fn build(level: &Level) -> (Model, Vec<PointLight>) {
         let depth = (thing.depth as f32).min(terrain::EDGE - 0.12);
         let foot = thing.at.as_vec2().extend(depth);
         let scale = thing.scale as f32;
-        let place =
-            Mat4::from_translation(foot) * Mat4::from_scale(Vec3::splat(scale)) * turn(thing, foot);
+        let size = Vec3::splat(scale) * Vec3::new(if thing.flip { -1.0 } else { 1.0 }, 1.0, 1.0);
+        let place = Mat4::from_translation(foot) * Mat4::from_scale(size) * turn(thing, foot);
         all.add(&model(thing.kind, foot), place);
         if thing.kind == SceneryKind::Lantern {
             let at = place.transform_point3(Vec3::new(0.42, 2.0, 0.35));
@@ -69,26 +69,33 @@ pub fn checkpoint() -> Model {
     model
 }
 
-/// How a thing is turned about its own axis: so that no two look alike, and nothing flat is seen edge-on.
+/// How a thing is turned about its own axis: as it says, else so that no two look alike and nothing flat is seen edge-on.
 fn turn(thing: &Scenery, foot: Vec3) -> Mat4 {
     let free = (hash(foot, 20) - 0.5) * 2.0;
-    Mat4::from_rotation_y(match thing.kind {
-        SceneryKind::Lantern => 0.25 * free,
-        SceneryKind::Pillar | SceneryKind::Plant => free * TAU / 2.0,
+    let own = match thing.kind {
+        SceneryKind::Pillar | SceneryKind::Grass => free * TAU / 2.0,
         SceneryKind::Tower | SceneryKind::Crane => 0.6 * free + 0.3,
-        SceneryKind::Banner => 0.2 * free,
-    })
+        _ => 0.2 * free,
+    };
+    Mat4::from_rotation_y(
+        thing
+            .turn
+            .map_or(own, |degrees| degrees.to_radians() as f32),
+    )
 }
 
 fn model(kind: SceneryKind, foot: Vec3) -> Model {
+    use SceneryKind::*;
     let mut model = Model::default();
     match kind {
-        SceneryKind::Lantern => lantern(&mut model),
-        SceneryKind::Pillar => pillar(foot, &mut model),
-        SceneryKind::Tower => tower(foot, &mut model),
-        SceneryKind::Crane => crane(&mut model),
-        SceneryKind::Plant => plant(foot, &mut model),
-        SceneryKind::Banner => banner(&mut model),
+        Lantern | LanternDead | LanternWall | LanternWallDead | LanternHanging
+        | LanternHangingDead => lantern(&mut model),
+        Pillar | PillarFluted | PillarSquare | PillarBroken | PillarFallen | Arch | ArchBroken
+        | StatueHead | StatueKneeling | Tomb | Stalactite => pillar(foot, &mut model),
+        Tower | TowerRuin | Aqueduct | CliffStack | Windmill => tower(foot, &mut model),
+        Crane | Press | Winch | Boiler | Treadwheel | Scaffold => crane(&mut model),
+        Banner | BannerTorn | BannerLong | Ladder => banner(&mut model),
+        _ => plant(foot, &mut model),
     }
     model
 }
