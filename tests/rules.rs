@@ -1,7 +1,9 @@
 //! What events mean: deaths, checkpoints, goals and triggers, each at its own time between two ticks.
 
 use edgewalker::game::{Input, Shape, Stage, World};
-use edgewalker::level::{By, Easing, Feature, Kind, Level, Mover, Rect, Repeat, Starts, Stop};
+use edgewalker::level::{
+    Area, By, Easing, Feature, Kind, Level, Mood, Mover, Rect, Repeat, Starts, Stop,
+};
 use edgewalker::motion::{Control, EventKind};
 use edgewalker::tune::{Motion, Tuning};
 use glam::DVec2;
@@ -43,6 +45,8 @@ fn world(more: &[Feature], movers: &[Mover], rate: u32) -> World {
         bottom: -20.0,
         features: [&[floor], more].concat(),
         movers: movers.to_vec(),
+        areas: Vec::new(),
+        frames: Vec::new(),
         scenery: Vec::new(),
     };
     World::new(Arc::new(Stage::build(level).unwrap()), rate, 0)
@@ -57,6 +61,15 @@ fn play(world: &mut World, until: f64, run: i8) {
     while world.time() < until {
         world.step(input, &Tuning::default());
     }
+}
+
+/// A tick in which the player asks to begin anew.
+fn restart(world: &mut World) {
+    let retry = Input {
+        retry: true,
+        ..Input::default()
+    };
+    world.step(retry, &Tuning::default());
 }
 
 /// When somebody who starts to run at time 0 has come this far, m.
@@ -127,15 +140,65 @@ fn who_dies_comes_back_at_the_last_checkpoint() {
         let way = world.view().position.x - 7.0;
         assert!((0.0..=run_way(1.0 / 120.0)).contains(&way), "{way}");
     }
+    assert_eq!(world.view().run_time(), world.time());
     // Who asks for a restart begins anew, and has been nowhere.
-    world.step(
-        Input {
-            retry: true,
-            ..Input::default()
+    let now = world.time();
+    restart(&mut world);
+    let view = world.view();
+    assert_eq!((view.position, view.deaths), (DVec2::ZERO, 0));
+    let run = (view.began_at, view.run_time());
+    assert_eq!(run, (now, world.time() - now), "a new run");
+}
+
+#[test]
+fn a_secret_counts_once_in_a_run_and_at_its_own_time() {
+    for rate in RATES {
+        let secrets = [
+            region("cave", Kind::Secret, 3.0, 4.0),
+            region("attic", Kind::Secret, -8.0, -7.0),
+        ];
+        let mut world = world(&secrets, &[], rate);
+        assert_eq!(world.stage().secret_count(), 2);
+        let fresh = world.hash();
+        play(&mut world, 1.0, 1);
+        assert_eq!(world.view().secrets, 1, "{rate} Hz");
+        let late = world.view().secret_at.unwrap() - run_time(3.0);
+        assert!(late.abs() < 1e-12, "{rate} Hz: {late:e} s");
+        play(&mut world, 3.0, -1);
+        assert_eq!(world.view().secrets, 2, "back over the first, to the other");
+        restart(&mut world);
+        assert_eq!((world.view().secrets, world.view().secret_at), (0, None));
+        assert_ne!(world.hash(), fresh, "the time goes on");
+    }
+}
+
+#[test]
+fn the_area_is_the_first_one_with_the_foot_in_it_and_lasts_until_the_next() {
+    let area = |name: &str, from: f64, to: f64| Area {
+        name: name.into(),
+        room: Rect {
+            min: DVec2::new(from, -9.0),
+            max: DVec2::new(to, 9.0),
         },
-        &Tuning::default(),
-    );
-    assert_eq!(world.view().position, DVec2::ZERO);
+        mood: Mood::Works,
+    };
+    let mut level = world(&[], &[], 120).stage().level.clone();
+    level.areas = vec![
+        area("west", -9.0, 1.0),
+        area("east", 4.0, 9.0),
+        area("all", 6.0, 20.0),
+    ];
+    let mut world = World::new(Arc::new(Stage::build(level).unwrap()), 120, 0);
+    let at = |world: &mut World, x: f64| {
+        world.put(DVec2::new(x, 0.0)).unwrap();
+        world.view().area
+    };
+    let places = [0.0, 2.0, 5.0, 8.0, 12.0, 30.0, 3.0];
+    assert_eq!(places.map(|x| at(&mut world, x)), [0, 0, 1, 1, 2, 2, 2]);
+    let here = world.hash();
+    at(&mut world, 0.0);
+    at(&mut world, 3.0);
+    assert_ne!(world.hash(), here, "the same place, come from the west");
 }
 
 #[test]
@@ -206,13 +269,7 @@ fn a_door_lets_pass_who_has_opened_it() {
     play(&mut world, 7.5, 1);
     let x = world.view().position.x;
     assert!(x > 12.0, "{x}, {:?}", world.offsets_at(world.time()).next());
-    world.step(
-        Input {
-            retry: true,
-            ..Input::default()
-        },
-        &Tuning::default(),
-    );
+    restart(&mut world);
     let later = world.time() + 2.0;
     play(&mut world, later, 1);
     let short = 10.0 - 13.0 / 32.0 - world.view().position.x;

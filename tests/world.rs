@@ -43,6 +43,8 @@ fn level(more: &[Feature]) -> Level {
         bottom: -20.0,
         features: [&[floor], more].concat(),
         movers: Vec::new(),
+        areas: Vec::new(),
+        frames: Vec::new(),
         scenery: Vec::new(),
     }
 }

@@ -17,6 +17,8 @@ pub struct Summary {
     pub highest: f64,
     /// The final state's hash.
     pub hash: u64,
+    /// How many secrets the level has.
+    pub secrets: usize,
     start: f64,
 }
 
@@ -30,6 +32,7 @@ impl Summary {
             last: world.view(),
             highest: 0.0,
             hash: world.hash(),
+            secrets: world.stage().secret_count(),
             start: world.stage().level.start.y,
         }
     }
@@ -50,6 +53,7 @@ impl std::fmt::Display for Summary {
             position,
             won_at,
             deaths,
+            secrets,
             ..
         } = self.last;
         writeln!(f, "level     {}", self.level)?;
@@ -60,9 +64,10 @@ impl std::fmt::Display for Summary {
         )?;
         writeln!(f, "position  {:.6} {:.6} m", position.x, position.y)?;
         writeln!(f, "highest   {:.3} m above the start", self.highest)?;
-        writeln!(f, "falls     {deaths}")?;
+        writeln!(f, "deaths    {deaths}")?;
+        writeln!(f, "secrets   {secrets} of {}", self.secrets)?;
         match won_at {
-            Some(seconds) => writeln!(f, "goal      reached after {seconds:.3} s")?,
+            Some(_) => writeln!(f, "goal      reached after {:.3} s", self.last.run_time())?,
             None => writeln!(f, "goal      not reached")?,
         }
         write!(f, "hash      {:016x}", self.hash)

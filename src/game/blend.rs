@@ -11,6 +11,7 @@ impl View {
         let span = (self.time - before.time).abs();
         let speed = before.velocity.length().max(self.velocity.length());
         self.deaths != before.deaths
+            || self.began_at != before.began_at
             || self.position.distance(before.position) > SLACK + 2.0 * speed * span
     }
 

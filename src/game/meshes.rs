@@ -129,9 +129,12 @@ fn kind(kind: Kind) -> mesh::Kind {
     match kind {
         Kind::Solid => mesh::Kind::Solid,
         Kind::OneWay => mesh::Kind::OneWay,
-        Kind::Ladder | Kind::Hazard | Kind::Checkpoint | Kind::Goal | Kind::Trigger => {
-            mesh::Kind::Region
-        }
+        Kind::Ladder
+        | Kind::Hazard
+        | Kind::Checkpoint
+        | Kind::Goal
+        | Kind::Trigger
+        | Kind::Secret => mesh::Kind::Region,
     }
 }
 

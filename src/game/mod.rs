@@ -81,6 +81,14 @@ pub struct View {
     pub landed_speed: f64,
     /// The goal has been reached, at this simulated time.
     pub won_at: Option<f64>,
-    /// How often the hero died, or fell out of the level.
+    /// How often the hero died, or fell out of the level, since the run began.
     pub deaths: u32,
+    /// When the run began: 0, or the simulated time of the last restart.
+    pub began_at: f64,
+    /// Index of the level's area that the hero is in, or was in last; 0 in a level without areas.
+    pub area: usize,
+    /// How many secrets he has found in this run.
+    pub secrets: u32,
+    /// Simulated time at which he found the last of them.
+    pub secret_at: Option<f64>,
 }

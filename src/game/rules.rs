@@ -117,7 +117,7 @@ impl World {
         self.each(|body, terrain, trace| body.take_up_paths(terrain, trace));
     }
 
-    /// Checkpoints and goals that the hero has entered, in the events after those that were seen.
+    /// Checkpoints, secrets and goals that the hero has entered, in the events after those that were seen.
     fn note_places(&mut self, seen: usize) {
         for event in &self.traces[HERO].events[seen..] {
             let EventKind::Entered(id) = event.kind else {
@@ -125,11 +125,24 @@ impl World {
             };
             match self.stage.feature(id).map(|feature| feature.kind) {
                 Some(Kind::Checkpoint) => self.state.checkpoint = Some(id),
+                Some(Kind::Secret) if !self.state.secrets.contains(&id) => {
+                    self.state.secrets.push(id);
+                    self.state.secret_at = Some(event.time);
+                }
                 Some(Kind::Goal) if self.state.won_at.is_none() => {
                     self.state.won_at = Some(event.time);
                 }
                 _ => {}
             }
+        }
+    }
+
+    /// In which area the hero's foot is; between areas, the last one counts.
+    pub(super) fn note_area(&mut self) {
+        let foot = self.hero().position();
+        let mut areas = self.stage.level.areas.iter();
+        if let Some(area) = areas.position(|area| area.room.contains(foot)) {
+            self.state.area = area;
         }
     }
 
@@ -139,9 +152,10 @@ impl World {
         self.come_back(at);
     }
 
-    /// Back to the start of the level; checkpoints are forgotten, and what waited for a trigger waits again.
+    /// Back to the start of the level, for a new run: checkpoints, secrets and deaths are forgotten, and what waited for a
+    /// trigger waits again.
     pub(super) fn restart(&mut self) {
-        self.state.checkpoint = None;
+        self.state.forget_run(self.time());
         for (i, start) in self.state.starts.iter_mut().enumerate() {
             if self.stage.trigger(i).is_some() {
                 *start = None;

@@ -46,6 +46,11 @@ pub(super) struct State {
     pub landed_speed: f64,
     pub won_at: Option<f64>,
     pub deaths: u32,
+    pub began_at: f64,
+    pub area: usize,
+    /// In the order in which they were found.
+    pub secrets: Vec<FeatureId>,
+    pub secret_at: Option<f64>,
 }
 
 impl State {
@@ -72,6 +77,10 @@ impl State {
             landed_speed: 0.0,
             won_at: None,
             deaths: 0,
+            began_at: 0.0,
+            area: 0,
+            secrets: Vec::new(),
+            secret_at: None,
         }
     }
 
@@ -94,12 +103,23 @@ impl State {
         self.shapes.iter().map(land).collect()
     }
 
+    /// A new run begins.
+    pub fn forget_run(&mut self, now: f64) {
+        self.checkpoint = None;
+        self.secrets.clear();
+        self.secret_at = None;
+        self.deaths = 0;
+        self.began_at = now;
+    }
+
     /// Keeps nothing that is about a level in which the bodies no longer are.
     pub fn forget_level(&mut self, stage: &Stage) {
         let movers = stage.level.movers.len();
         let start = |mover| stage.trigger(mover).is_none().then_some(0.0);
         self.starts = (0..movers).map(start).collect();
         self.checkpoint = None;
+        self.secrets.clear();
+        self.area = 0;
         // A shape too large for the new level would have no meshes there.
         let fits: Vec<bool> = self.shapes.iter().map(|s| stage.land(s).is_ok()).collect();
         self.actors.retain(|actor| fits[actor.shape]);
@@ -118,10 +138,14 @@ impl State {
             u64::from(self.retry) + 2 * u64::from(self.doomed),
             self.facing.to_bits(),
             time(self.won_at),
+            self.began_at.to_bits(),
+            self.area as u64,
+            self.secrets.len() as u64,
+            time(self.secret_at),
         ] {
             hash.update(&word.to_le_bytes());
         }
-        if let Some(id) = self.checkpoint {
+        for id in self.checkpoint.iter().chain(&self.secrets) {
             hash.update(&id.to_le_bytes());
         }
         for start in &self.starts {

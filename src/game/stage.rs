@@ -203,6 +203,12 @@ impl Stage {
         self.features.get(id as usize)?.as_ref()
     }
 
+    /// How many secrets there are to be found.
+    pub fn secret_count(&self) -> usize {
+        let secrets = self.features().filter(|(_, f)| f.kind == Kind::Secret);
+        secrets.count()
+    }
+
     /// Whether it kills the hero to be in the region with a number.
     pub fn kills(&self, id: FeatureId) -> bool {
         let is_hazard = |feature: &Feature| feature.kind == Kind::Hazard;
@@ -335,7 +341,9 @@ fn traits(feature: &Feature) -> Traits {
         region: match feature.kind {
             Kind::Solid | Kind::OneWay => Region::None,
             Kind::Ladder => Region::Ladder,
-            Kind::Hazard | Kind::Checkpoint | Kind::Goal | Kind::Trigger => Region::Plain,
+            Kind::Hazard | Kind::Checkpoint | Kind::Goal | Kind::Trigger | Kind::Secret => {
+                Region::Plain
+            }
         },
         climbable: feature.climbable,
         conveyor: feature.conveyor,

@@ -66,12 +66,14 @@ impl World {
             .expect("the stage was built for the hero");
         let body = Body::spawn(stage.level.start, 0.0, &land.terrain(&stage, &tuning))
             .expect("the stage was built with a free start");
-        World {
+        let mut world = World {
             state: State::new(&land, body, tick_rate.max(1), seed),
             stage,
             lands: Arc::new(vec![land]),
             traces: vec![Trace::default()],
-        }
+        };
+        world.note_area();
+        world
     }
 
     /// One tick: takes the input, then moves all bodies to the tick's end, event by event; then the rules.
@@ -92,6 +94,7 @@ impl World {
         self.state.tick += 1;
         self.run(self.time());
         self.note_events(input);
+        self.note_area();
     }
 
     /// Does something with every body in its terrain.
@@ -150,6 +153,7 @@ impl World {
     pub fn put(&mut self, at: DVec2) -> Result<(), SpawnError> {
         let terrain = self.lands[HERO].terrain(&self.stage, &self.state.tuning);
         self.state.actors[HERO].body = Body::spawn(at, self.time(), &terrain)?;
+        self.note_area();
         Ok(())
     }
 
@@ -221,6 +225,7 @@ impl World {
         if lost {
             self.restart();
         }
+        self.note_area();
     }
 
     /// What to draw.
@@ -246,6 +251,10 @@ impl World {
             landed_speed: state.landed_speed,
             won_at: state.won_at,
             deaths: state.deaths,
+            began_at: state.began_at,
+            area: state.area,
+            secrets: state.secrets.len() as u32,
+            secret_at: state.secret_at,
         }
     }
 
@@ -373,6 +382,15 @@ impl View {
             landed_speed: 0.0,
             won_at: None,
             deaths: 0,
+            began_at: 0.0,
+            area: 0,
+            secrets: 0,
+            secret_at: None,
         }
+    }
+
+    /// How long the run has taken, in seconds: up to the goal, if that has been reached.
+    pub fn run_time(&self) -> f64 {
+        self.won_at.unwrap_or(self.time) - self.began_at
     }
 }

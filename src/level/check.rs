@@ -2,13 +2,15 @@
 
 mod features;
 mod movers;
+mod places;
 
-use super::{Entity, Feature, Flaw, Kind, Level, Mover, Rect, Scenery, VERSION};
+use super::{Entity, Feature, Flaw, Kind, Level, Mover, Scenery, VERSION};
 use crate::geom::polygon::winding;
 use crate::geom::{Collider, Point};
 use features::{check_body, check_id};
 use glam::DVec2;
 use movers::check_movers;
+use places::{check_areas, check_frames, check_places};
 use std::collections::BTreeMap;
 
 /// Coordinates are smaller than this in magnitude, in metres: the mesh holds 4096, and outlines grow by the hero's size.
@@ -34,6 +36,8 @@ pub fn check(level: &Level) -> Result<(), Flaw> {
     check_version(level)?;
     check_name(level)?;
     check_places(level)?;
+    check_areas(level)?;
+    check_frames(level)?;
     check_features(level)?;
     check_starts(level)?;
     level
@@ -67,35 +71,6 @@ fn check_name(level: &Level) -> Result<(), Flaw> {
     require(is_name(&level.name), &Entity::Level, "name", || {
         NAME_RULE.into()
     })
-}
-
-/// Start, goal and bottom, each by itself and against each other.
-fn check_places(level: &Level) -> Result<(), Flaw> {
-    let Level {
-        start,
-        goal,
-        bottom,
-        ..
-    } = *level;
-    check_point(&Entity::Level, "start", start)?;
-    check_point(&Entity::Level, "goal.min", goal.min)?;
-    check_point(&Entity::Level, "goal.max", goal.max)?;
-    check_coordinate(&Entity::Level, "bottom", bottom)?;
-    let Rect { min, max } = goal;
-    let rule =
-        |ok, field: &str, message: &str| require(ok, &Entity::Level, field, || message.into());
-    rule(
-        min.cmplt(max).all(),
-        "goal",
-        "min is not below and left of max",
-    )?;
-    rule(max.y > bottom, "goal", BELOW)?;
-    rule(start.y > bottom, "start", BELOW)?;
-    rule(
-        !goal.contains(start),
-        "start",
-        "lies in the goal: the level would end before it begins",
-    )
 }
 
 /// Every feature by itself, then every mover: ids are unique among all of them.
@@ -146,7 +121,9 @@ fn check_free(level: &Level, at: DVec2, entity: &Entity, field: &str) -> Result<
             Kind::Solid => "would stand inside",
             Kind::Hazard => "would die in",
             Kind::Goal => "would win at once in",
-            Kind::OneWay | Kind::Ladder | Kind::Checkpoint | Kind::Trigger => return None,
+            Kind::OneWay | Kind::Ladder | Kind::Checkpoint | Kind::Trigger | Kind::Secret => {
+                return None;
+            }
         };
         inside(feature, offset).then(|| format!("the hero {what} feature {:?}", feature.id))
     };

@@ -17,6 +17,10 @@ pub enum Entity {
     Mover(usize, String),
     /// A feature of a mover: the mover's index, then its own and its id.
     Rider(u32, u32, String),
+    /// An area, by its index and name.
+    Area(usize, String),
+    /// A frame of the camera, by its index.
+    Frame(usize),
     /// A piece of scenery, by its index.
     Scenery(usize),
 }
@@ -75,6 +79,9 @@ impl fmt::Display for Entity {
                 write!(f, "movers[{mover}], feature {id:?}")
             }
             Entity::Rider(mover, index, _) => write!(f, "movers[{mover}].features[{index}]"),
+            Entity::Area(_, name) if name.len() <= LONGEST_ID => write!(f, "area {name:?}"),
+            Entity::Area(index, _) => write!(f, "areas[{index}]"),
+            Entity::Frame(index) => write!(f, "frames[{index}]"),
             Entity::Scenery(index) => write!(f, "scenery[{index}]"),
         }
     }

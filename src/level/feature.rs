@@ -56,6 +56,8 @@ pub enum Kind {
     Goal,
     /// Starts movers.
     Trigger,
+    /// A hidden place: whoever finds it is told so, once.
+    Secret,
 }
 
 impl Kind {

@@ -32,7 +32,9 @@ macro_rules! parts {
 }
 
 parts! {
-    LevelParts is "Level" { version, name, start, goal, bottom, features, movers, scenery }
+    LevelParts is "Level" { version, name, start, goal, bottom, areas, frames, features, movers, scenery }
+    AreaParts is "Area" { name, room, mood }
+    FrameParts is "Frame" { room, at, zoom }
     FeatureParts is "Feature" { id, kind, outline, climbable, conveyor, friction, concave, by, respawn }
     MoverParts is "Mover" { id, features, path, repeat, starts }
     StopParts is "Stop" { at, wait, seconds, easing }
@@ -94,6 +96,8 @@ fn mover_field<'a>(mover: &'a RawValue, field: &str) -> Raw<'a> {
 pub(super) struct Marks<'a> {
     text: &'a str,
     level: &'a RawValue,
+    areas: Vec<&'a RawValue>,
+    frames: Vec<&'a RawValue>,
     features: Vec<&'a RawValue>,
     movers: Vec<&'a RawValue>,
     scenery: Vec<&'a RawValue>,
@@ -107,6 +111,8 @@ impl<'a> Marks<'a> {
         Some(Marks {
             text,
             level,
+            areas: part("areas"),
+            frames: part("frames"),
             features: part("features"),
             movers: part("movers"),
             scenery: part("scenery"),
@@ -123,12 +129,20 @@ impl<'a> Marks<'a> {
                 let riders = self.riders(self.movers.get(mover as usize)?);
                 feature_field(riders.get(index as usize)?, flaw)
             }
+            Entity::Area(index, _) => {
+                let area = self.areas.get(index).copied()?;
+                element(&flaw.field, |name| AreaParts::find(area, name)).or(Some(area))
+            }
+            Entity::Frame(index) => {
+                let frame = self.frames.get(index).copied()?;
+                element(&flaw.field, |name| FrameParts::find(frame, name)).or(Some(frame))
+            }
             Entity::Scenery(index) => self.scenery.get(index).copied(),
         };
         value.and_then(|value| u32::try_from(self.line_of(value)).ok())
     }
 
-    /// The feature, mover or piece of scenery that an error of the parser lies in.
+    /// The feature, mover, area, frame or piece of scenery that an error of the parser lies in.
     pub fn entity(&self, error: &Span) -> Option<Entity> {
         let at = self.offset_of(error);
         let holds = |value: &&RawValue| {
@@ -155,6 +169,16 @@ impl<'a> Marks<'a> {
                     Entity::Mover(mover, id_of(id, mover))
                 }
             });
+        }
+        if let Some(index) = self.areas.iter().position(holds) {
+            let name = text(AreaParts::find(self.areas[index], "name"));
+            return Some(Entity::Area(
+                index,
+                name.unwrap_or_else(|| format!("#{index}")),
+            ));
+        }
+        if let Some(index) = self.frames.iter().position(holds) {
+            return Some(Entity::Frame(index));
         }
         self.scenery.iter().position(holds).map(Entity::Scenery)
     }

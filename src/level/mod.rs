@@ -11,6 +11,7 @@ mod feature;
 mod file;
 mod marks;
 mod mover;
+mod place;
 mod scenery;
 
 pub use check::{COORDINATE_LIMIT, CORNER_LIMIT, check, check_feature};
@@ -18,6 +19,7 @@ pub use error::{Entity, Flaw, LevelError};
 pub use feature::{By, Concave, Feature, Kind, Material};
 pub use file::{check_writable, load, parse, read, save, without_mark, write_atomically};
 pub use mover::{Easing, Mover, Repeat, Starts, Stop};
+pub use place::{Area, Frame, Mood};
 pub use scenery::{Scenery, SceneryKind};
 
 use glam::DVec2;
@@ -40,6 +42,12 @@ pub struct Level {
     pub goal: Rect,
     /// A body below this height has fallen out of the level, in metres.
     pub bottom: f64,
+    /// Its parts that have a name and a mood.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub areas: Vec<Area>,
+    /// What the camera frames.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub frames: Vec<Frame>,
     /// The terrain, and the regions that do something to the hero.
     pub features: Vec<Feature>,
     /// Terrain that moves.

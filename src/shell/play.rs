@@ -23,8 +23,6 @@ pub struct Play {
     pub summary: Summary,
     /// Motion events of the run so far.
     pub events: u64,
-    /// Simulated time of the last start or restart.
-    pub began_at: f64,
     before: View,
     now: View,
     camera: CameraState,
@@ -42,12 +40,11 @@ impl Play {
         let pose = camera.pose(&tuning.camera);
         let summary = Summary::new(&world);
         let trail = VecDeque::from([now.position]);
-        let (events, began_at) = (0, now.time);
+        let events = 0;
         Play {
             world,
             summary,
             events,
-            began_at,
             before: now,
             now,
             camera,
@@ -80,9 +77,6 @@ impl Play {
         if self.now.is_cut_from(&self.before) {
             self.pose_before = self.pose;
             self.trail.clear();
-        }
-        if input.retry || self.now.deaths != self.before.deaths {
-            self.began_at = self.now.time;
         }
         self.trail.push_back(self.now.position);
         let surplus = self

@@ -69,6 +69,8 @@ fn as_level(case: &Case) -> Level {
         bottom: -60.0,
         features,
         movers,
+        areas: Vec::new(),
+        frames: Vec::new(),
         scenery: Vec::new(),
     }
 }

@@ -1,7 +1,7 @@
 //! Kinds of features, their traits, and movers: what is read, and what is refused in which words.
 
 use super::{mutants, survive};
-use edgewalker::level::{self, By, Concave, Easing, Kind, Material, Repeat, Starts};
+use edgewalker::level::{self, By, Concave, Easing, Kind, Material, Mood, Repeat, Starts};
 use std::path::Path;
 
 /// A level with every kind of feature and every field.
@@ -20,7 +20,7 @@ const FULL: &str = r#"(
         (id: "spikes", kind: Hazard, by: Some(Foot), outline: [(30, 0), (31, 0), (31, 1)]),
         (id: "camp", kind: Checkpoint, respawn: Some((41, 0)), outline: [(40, 0), (42, 0), (42, 3)]),
         (id: "gate", kind: Goal, by: Some(Middle), outline: [(50, 0), (51, 0), (51, 3)]),
-        (id: "button", kind: Trigger, outline: [(60, 0), (61, 0), (61, 3)]),
+        (id: "button", kind: Trigger, outline: [(60, 0), (61, 0), (61, 3)]), (id: "cave", kind: Secret, outline: [(65, 0), (66, 0), (66, 2)]),
     ],
     movers: [
         (
@@ -44,6 +44,14 @@ const FULL: &str = r#"(
             repeat: Once,
             starts: On("button"),
         ),
+    ],
+    areas: [
+        (name: "The Rim", room: (min: (-20, -10), max: (50, 30)), mood: Dusk),
+        (name: "The Works", room: (min: (50, -9), max: (99, 30)), mood: Depths),
+    ],
+    frames: [
+        (room: (min: (60, 0), max: (70, 9)), at: Some((66, 4.5)), zoom: 0.75),
+        (room: (min: (88, 1), max: (92, 9))),
     ],
 )
 "#;
@@ -71,7 +79,7 @@ fn refused(cases: &[Change]) {
 #[test]
 fn every_field_arrives() {
     let level = level::parse(FULL, Path::new("full.ron")).unwrap();
-    let [floor, vine, plank, ladder, spikes, camp, gate, button] = &level.features[..] else {
+    let [floor, vine, plank, ladder, spikes, camp, gate, button, cave] = &level.features[..] else {
         panic!("{} features", level.features.len());
     };
     assert_eq!(
@@ -90,6 +98,17 @@ fn every_field_arrives() {
     );
     assert_eq!((gate.by(), button.by()), (By::Middle, By::Body));
     assert_eq!(camp.respawn.unwrap().x, 41.0);
+    assert_eq!((cave.kind, cave.by()), (Kind::Secret, By::Body));
+    let [rim, works] = &level.areas[..] else {
+        panic!("{} areas", level.areas.len());
+    };
+    assert_eq!((rim.mood, works.mood), (Mood::Dusk, Mood::Depths));
+    assert_eq!((works.name.as_str(), works.room.min.y), ("The Works", -9.0));
+    let [machine, gate] = level.frames[..] else {
+        panic!("{} frames", level.frames.len());
+    };
+    assert_eq!((machine.at.unwrap().y, machine.zoom), (4.5, 0.75));
+    assert_eq!((gate.at, gate.zoom, gate.room.max.x), (None, 1.0, 92.0));
     let [lift, door] = &level.movers[..] else {
         panic!("{} movers", level.movers.len());
     };
@@ -110,7 +129,7 @@ fn every_field_arrives() {
 
 #[test]
 fn a_plain_level_is_written_without_the_fields_that_it_does_not_use() {
-    let level = level::load(Path::new("levels/quarry.ron")).unwrap();
+    let level = level::load(Path::new("levels/dev/slopes.ron")).unwrap();
     let text = ron::to_string(&level).unwrap();
     for field in [
         "kind:Solid",
@@ -118,6 +137,8 @@ fn a_plain_level_is_written_without_the_fields_that_it_does_not_use() {
         "conveyor",
         "friction",
         "movers",
+        "areas",
+        "frames",
         "respawn",
         "by:",
     ] {
@@ -339,6 +360,60 @@ const BAD_MOVERS: &[Change] = &[
 #[test]
 fn movers_that_make_no_sense_are_refused() {
     refused(BAD_MOVERS);
+}
+
+/// Areas and frames that cannot be.
+const BAD_PLACES: &[Change] = &[
+    (
+        "The Rim",
+        "",
+        "42: area \"\", name: must have 1 to 64 characters, none of them a control character",
+    ),
+    (
+        "(50, -9)",
+        "(99, -9)",
+        "43: area \"The Works\", room: min is not below and left of max",
+    ),
+    (
+        "(-20, -10)",
+        "(NaN, -10)",
+        "42: area \"The Rim\", room.min.x: NaN is not a finite number",
+    ),
+    (
+        "mood: Dusk",
+        "mood: Dull",
+        "42: area \"The Rim\": Unexpected variant named `Dull` in enum `Mood`, expected one of `Dusk`, `Works`, `Depths`, or `Summit` instead",
+    ),
+    (
+        "zoom: 0.75",
+        "zoom: 0",
+        "46: frames[0], zoom: 0 is outside 0.25..=4",
+    ),
+    (
+        "zoom: 0.75",
+        "zoom: NaN",
+        "46: frames[0], zoom: NaN is outside 0.25..=4",
+    ),
+    (
+        "(66, 4.5)",
+        "(66, inf)",
+        "46: frames[0], at.y: inf is not a finite number",
+    ),
+    (
+        "(92, 9)",
+        "(92, 4000)",
+        "47: frames[1], room.max.y: 4000 is out of bounds: coordinates are between -4000 and 4000 m",
+    ),
+    (
+        "(92, 9)))",
+        "(92, 9)), size: 2)",
+        "47: frames[1]: Unexpected field named `size` in `Frame`, expected one of `room`, `at`, or `zoom` instead",
+    ),
+];
+
+#[test]
+fn places_that_make_no_sense_are_refused() {
+    refused(BAD_PLACES);
 }
 
 #[test]

@@ -105,7 +105,7 @@ fn beginning(pen: &Pen, fonts: Fonts, info: &Info) {
 /// That it is done, and how long it took.
 fn goal(pen: &Pen, fonts: Fonts, info: &Info, won: f64) {
     let alpha = ((info.view.time - won) / GOAL).clamp(0.0, 1.0) as f32;
-    let time = clock(won - info.play.began_at);
+    let time = clock(info.view.run_time());
     let again = if info.pads > 0 { "Back" } else { "R" };
     pen.centred(fonts.title, "You reached the goal", 0.24, WARM, alpha);
     pen.plated(

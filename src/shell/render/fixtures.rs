@@ -37,6 +37,7 @@ pub fn build<'a>(features: impl Iterator<Item = &'a Feature>) -> (Model, Vec<Poi
             Kind::Hazard => spikes(feature, &mut model),
             Kind::Checkpoint => lamps.extend(checkpoint(feature, &mut model)),
             Kind::Trigger => lamps.push(trigger(feature, &mut model)),
+            Kind::Secret => {} // what is hidden there is scenery
             Kind::Goal if feature.id.is_empty() => {} // the goal box has its gate
             Kind::Goal => {
                 let (min, max) = bounds(feature);
