@@ -9,7 +9,7 @@ mod way;
 
 use edgewalker::cli::tuning;
 use edgewalker::game::{Input, Replay, Stage, World};
-use edgewalker::level;
+use edgewalker::level::{self, Level};
 use edgewalker::motion::EventKind;
 use edgewalker::tune::Tuning;
 use player::{Player, WAY, quarry};
@@ -203,6 +203,22 @@ fn a_replay_survives_its_text_and_refuses_what_it_does_not_understand() {
             .to_string()
             .contains("fingerprint")
     );
+}
+
+#[test]
+fn a_level_that_only_looks_different_has_the_same_runs() {
+    let level = quarry();
+    let bare = Level {
+        scenery: Vec::new(),
+        ..level.clone()
+    };
+    let other = Level {
+        bottom: level.bottom - 1.0,
+        ..level.clone()
+    };
+    let fingerprint = |level| Stage::build(level).unwrap().fingerprint();
+    assert_eq!(fingerprint(bare), fingerprint(level.clone()));
+    assert_ne!(fingerprint(other), fingerprint(level));
 }
 
 #[test]
