@@ -1,6 +1,5 @@
 // Dusk: from a burning horizon through rose to a deep blue, with the glow of a sun that has just gone.
 #include "light.glsl"
-#include "tone.glsl"
 
 in vec3 ray;
 out vec4 screen;
@@ -16,5 +15,5 @@ void main() {
     float towards = max(dot(direction, normalize(SUNSET)), 0.0);
     float disc = pow(towards, 24.0);
     light += vec3(1.0, 0.46, 0.16) * disc * 0.8 + vec3(1.4, 0.9, 0.5) * smoothstep(0.9991, 0.9995, towards);
-    screen = vec4(tone(light, gl_FragCoord.xy, vec2(ray_right.w, ray_up.w)), 1.0);
+    screen = vec4(light, 1.0);
 }

@@ -1,6 +1,5 @@
 // Dark and clear from above, the sky's mirror from aside; facets catch the sunset.
 #include "light.glsl"
-#include "tone.glsl"
 
 in vec3 at;
 out vec4 screen;
@@ -15,5 +14,5 @@ void main() {
     float glint = max(dot(mirrored, SUNSET), 0.0);
     vec3 light = mix(vec3(0.012, 0.060, 0.078), sky, mirror) + vec3(1.1, 0.5, 0.2) * pow(glint, 24.0);
     light = mix(light, haze(from), fog(at) * 0.8);
-    screen = vec4(tone(light, gl_FragCoord.xy, vec2(ray_right.w, ray_up.w)), 1.0);
+    screen = vec4(light, 1.0);
 }

@@ -7,9 +7,12 @@ pub mod files;
 pub mod headless;
 pub mod lines;
 pub mod load;
+mod preset;
 pub mod summary;
 pub mod tuning;
 mod walk;
+
+pub use preset::Preset;
 
 use crate::game::replay::LONGEST;
 use lexopt::Arg;
@@ -51,6 +54,7 @@ Window
   --size WxH          Size in points (default: 1280x720)
   --fullscreen        Start in fullscreen
   --no-vsync          Do not wait for the display
+  --preset NAME       How much the picture may cost: low, medium or high (default: medium)
   --overlay           Start with the overlay open
   --mesh              Start with the motion mesh drawn
 
@@ -98,6 +102,8 @@ pub struct Options {
     pub fullscreen: bool,
     /// Wait for the display.
     pub vsync: bool,
+    /// How much the picture may cost; `None` if nobody said.
+    pub preset: Option<Preset>,
     /// Start with the overlay open.
     pub overlay: bool,
     /// Start with the mesh drawn.
@@ -173,6 +179,7 @@ pub fn parse(args: impl IntoIterator<Item = OsString>) -> Result<Command, UsageE
         size: given.size()?,
         fullscreen: given.has("fullscreen"),
         vsync: !given.has("no-vsync"),
+        preset: given.preset()?,
         overlay: given.has("overlay"),
         mesh: given.has("mesh"),
     }))
@@ -198,6 +205,7 @@ const VALUED: &[&str] = &[
     "screenshot",
     "at",
     "size",
+    "preset",
     "tick-rate",
     "seed",
 ];
@@ -209,6 +217,7 @@ const NO_WINDOW: &[&str] = &[
     "size",
     "fullscreen",
     "no-vsync",
+    "preset",
     "overlay",
     "mesh",
 ];
@@ -349,6 +358,17 @@ impl Given {
                 SIDES.start(),
                 SIDES.end()
             )),
+        }
+    }
+
+    fn preset(&self) -> Result<Option<Preset>, UsageError> {
+        let Some(value) = self.value("preset") else {
+            return Ok(None);
+        };
+        let text = value.to_string_lossy();
+        match Preset::named(&text) {
+            None => usage(format!("--preset: `{text}` is not low, medium or high")),
+            preset => Ok(preset),
         }
     }
 

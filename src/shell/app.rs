@@ -81,7 +81,8 @@ impl App {
             vsync,
         })?;
         let shader_files = Watch::new(&files::find(Path::new(SHADERS)));
-        let renderer = Renderer::new(platform.gl.clone(), shader_files.path())?;
+        let mut renderer = Renderer::new(platform.gl.clone(), shader_files.path())?;
+        renderer.set_preset(options.preset.unwrap_or_default())?;
         let mut overlay = Overlay::new(&platform)?;
         overlay.open = options.overlay;
         overlay.show.mesh = options.mesh;

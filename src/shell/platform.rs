@@ -14,8 +14,6 @@ const SIZE: (u32, u32) = (1280, 720);
 /// Drivers without a picture, which SDL may fall back to; only who names them wants them.
 const INVISIBLE: &[&str] = &["offscreen", "dummy", "evdev"];
 const DRIVER_VARIABLE: &str = "SDL_VIDEODRIVER";
-/// Samples per pixel, where available.
-const SAMPLES: u8 = 4;
 /// Displays that do not tell their rate are taken for common ones.
 const COMMON_RATE: i32 = 60;
 
@@ -157,7 +155,7 @@ fn refuse_invisible(driver: &str) -> Result<(), ShellError> {
     Ok(())
 }
 
-/// With multisampling if possible, else without.
+/// A window that the scene is brought to when it is done: it needs no depth and no samples of its own.
 fn open_window(
     video: &VideoSubsystem,
     options: &WindowOptions,
@@ -167,19 +165,12 @@ fn open_window(
     attributes.set_context_version(3, 3);
     attributes.set_context_flags().forward_compatible().set();
     attributes.set_double_buffer(true);
-    attributes.set_depth_size(24);
-    let mut error = String::new();
-    for samples in [SAMPLES, 0] {
-        attributes.set_multisample_buffers(u8::from(samples > 0));
-        attributes.set_multisample_samples(samples);
-        match try_window(video, options) {
-            Ok(opened) => return Ok(opened),
-            Err(e) => error = e,
-        }
-    }
-    Err(ShellError::Platform(format!(
-        "no window with OpenGL 3.3, which the game needs: {error}"
-    )))
+    attributes.set_depth_size(0);
+    try_window(video, options).map_err(|error| {
+        ShellError::Platform(format!(
+            "no window with OpenGL 3.3, which the game needs: {error}"
+        ))
+    })
 }
 
 /// A window and a context that fit the attributes set before.

@@ -28,6 +28,7 @@ pub fn options(level: &str) -> Options {
         size: Some((320, 200)),
         fullscreen: false,
         vsync: false,
+        preset: None,
         overlay: false,
         mesh: false,
     }

@@ -406,8 +406,8 @@ fn a_broken_shader(studio: &Studio) {
     }
     let sky = folder.join("sky.frag");
     let red = fs::read_to_string(&sky).unwrap().replace(
-        "screen = vec4(tone(",
-        "screen = vec4(1.0, 0.0, 0.0, 1.0) + 0.0 * vec4(tone(",
+        "screen = vec4(light,",
+        "screen = vec4(vec3(1.0, 0.0, 0.0) + 0.0 * light,",
     );
     fs::write(&sky, red).unwrap();
     renderer.reload_shaders().unwrap();

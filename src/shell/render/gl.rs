@@ -5,7 +5,7 @@
 //! smallest block limit that OpenGL guarantees. The context must be current on the calling thread; it is never sent away.
 #![allow(unsafe_code)]
 
-use super::state::{Blend, CompileError, Cull, Depth, Format, Stage};
+use super::state::{CompileError, Format, Spec, Stage, Texels};
 use glow::HasContext;
 use std::ops::Range;
 use std::rc::Rc;
@@ -19,10 +19,28 @@ pub struct Gl {
     ctx: Rc<glow::Context>,
 }
 
+/// An object of OpenGL, deleted when this is dropped.
+pub struct Owned {
+    ctx: Rc<glow::Context>,
+    name: Name,
+}
+
+/// The name of an object.
+#[derive(Clone, Copy)]
+enum Name {
+    Shader(glow::Shader),
+    Program(glow::Program),
+    Array(glow::VertexArray),
+    Buffer(glow::Buffer),
+    Texture(glow::Texture),
+    Renderbuffer(glow::Renderbuffer),
+    Framebuffer(glow::Framebuffer),
+}
+
 /// A linked program.
 pub struct Program {
-    ctx: Rc<glow::Context>,
     raw: glow::Program,
+    _owned: Owned,
 }
 
 /// Vertices (or instances) on the GPU, with their layout.
@@ -33,25 +51,19 @@ pub struct Geometry {
     stride: usize,
     capacity: usize,
     count: usize,
+    _owned: [Owned; 2],
 }
 
 /// A block of uniforms, bound for good to its binding point.
 pub struct Uniforms {
     ctx: Rc<glow::Context>,
     buffer: glow::Buffer,
+    _owned: Owned,
 }
 
-/// A square depth texture that can be drawn into and compared with.
-pub struct DepthTarget {
-    ctx: Rc<glow::Context>,
-    texture: glow::Texture,
-    framebuffer: glow::Framebuffer,
-    size: i32,
-}
-
-/// A framebuffer that was bound by somebody else; `None` is the window.
+/// A framebuffer to draw into; `None` is the window.
 #[derive(Clone, Copy)]
-pub struct Target(Option<glow::Framebuffer>);
+pub struct Bound(Option<glow::Framebuffer>);
 
 /// The words as bytes, in the order of this machine.
 fn bytes(words: &[u32]) -> &[u8] {
@@ -85,64 +97,66 @@ impl Gl {
         (code != glow::NO_ERROR).then_some(code)
     }
 
-    /// Compiles and links a program; its uniform blocks are bound to the points of `blocks`, by position.
+    /// Compiles and links a program; its uniform blocks are bound to the points of `blocks`, its samplers to the texture
+    /// units of `samplers`, both by position.
     pub fn program(
         &self,
         vertex: &str,
         fragment: &str,
-        blocks: &[&str],
+        (blocks, samplers): (&[&str], &[&str]),
     ) -> Result<Program, CompileError> {
         let gl = &self.ctx;
         let linking = |log| CompileError { stage: None, log };
-        // SAFETY: only names made here are used, and each is deleted once (the program by its Drop).
+        let vertex = self.shader(glow::VERTEX_SHADER, Stage::Vertex, vertex)?;
+        let fragment = self.shader(glow::FRAGMENT_SHADER, Stage::Fragment, fragment)?;
+        // SAFETY: only live names are used.
         unsafe {
-            let vertex = self.shader(glow::VERTEX_SHADER, Stage::Vertex, vertex)?;
-            let fragment = self
-                .shader(glow::FRAGMENT_SHADER, Stage::Fragment, fragment)
-                .inspect_err(|_| gl.delete_shader(vertex))?;
             let raw = gl.create_program().map_err(linking)?;
-            let program = Program {
-                ctx: self.ctx.clone(),
-                raw,
-            };
-            for shader in [vertex, fragment] {
-                gl.attach_shader(raw, shader);
-            }
+            let _owned = self.own(Name::Program(raw));
+            gl.attach_shader(raw, vertex.0);
+            gl.attach_shader(raw, fragment.0);
             gl.link_program(raw);
-            for shader in [vertex, fragment] {
-                gl.detach_shader(raw, shader);
-                gl.delete_shader(shader);
-            }
             if !gl.get_program_link_status(raw) {
                 return Err(linking(gl.get_program_info_log(raw)));
             }
-            for (point, name) in blocks.iter().enumerate() {
+            for (point, name) in (0..).zip(blocks) {
                 if let Some(index) = gl.get_uniform_block_index(raw, name) {
-                    gl.uniform_block_binding(raw, index, point as u32);
+                    gl.uniform_block_binding(raw, index, point);
                 }
             }
-            Ok(program)
+            gl.use_program(Some(raw));
+            for (unit, name) in (0..).zip(samplers) {
+                let place = gl.get_uniform_location(raw, name);
+                gl.uniform_1_i32(place.as_ref(), unit);
+            }
+            Ok(Program { raw, _owned })
         }
     }
 
     /// Compiles one stage.
-    fn shader(&self, kind: u32, stage: Stage, source: &str) -> Result<glow::Shader, CompileError> {
+    fn shader(
+        &self,
+        kind: u32,
+        stage: Stage,
+        source: &str,
+    ) -> Result<(glow::Shader, Owned), CompileError> {
         let gl = &self.ctx;
-        let failed = |log| CompileError {
-            stage: Some(stage),
-            log,
-        };
-        // SAFETY: the name is made here and deleted here or handed out.
+        let stage = Some(stage);
+        // SAFETY: only live names are used.
         unsafe {
-            let shader = gl.create_shader(kind).map_err(failed)?;
-            gl.shader_source(shader, source);
-            gl.compile_shader(shader);
-            if gl.get_shader_compile_status(shader) {
-                return Ok(shader);
+            let raw = gl
+                .create_shader(kind)
+                .map_err(|log| CompileError { stage, log })?;
+            let owned = self.own(Name::Shader(raw));
+            gl.shader_source(raw, source);
+            gl.compile_shader(raw);
+            match gl.get_shader_compile_status(raw) {
+                true => Ok((raw, owned)),
+                false => Err(CompileError {
+                    stage,
+                    log: gl.get_shader_info_log(raw),
+                }),
             }
-            let log = gl.get_shader_info_log(shader);
-            gl.delete_shader(shader);
-            Err(failed(log))
         }
     }
 
@@ -153,9 +167,8 @@ impl Gl {
         // SAFETY: offsets stay below the stride; the names belong to the Geometry, which deletes them.
         unsafe {
             let array = gl.create_vertex_array()?;
-            let buffer = gl
-                .create_buffer()
-                .inspect_err(|_| gl.delete_vertex_array(array))?;
+            let array_owner = self.own(Name::Array(array));
+            let buffer = gl.create_buffer()?;
             gl.bind_vertex_array(Some(array));
             gl.bind_buffer(glow::ARRAY_BUFFER, Some(buffer));
             let mut offset = 0;
@@ -174,6 +187,7 @@ impl Gl {
                 stride: stride as usize,
                 capacity: 0,
                 count: 0,
+                _owned: [array_owner, self.own(Name::Buffer(buffer))],
             })
         }
     }
@@ -190,113 +204,140 @@ impl Gl {
             Ok(Uniforms {
                 ctx: self.ctx.clone(),
                 buffer,
+                _owned: self.own(Name::Buffer(buffer)),
             })
         }
     }
 
-    /// A depth texture of `size` by `size` texels, read by comparison with linear filtering.
-    pub fn depth_target(&self, size: u32) -> Result<DepthTarget, String> {
-        let gl = &self.ctx;
-        use glow::{DEPTH_ATTACHMENT, FRAMEBUFFER, FRAMEBUFFER_COMPLETE, NONE, TEXTURE_2D};
-        let size = size as i32;
-        let bound = self.target();
-        let texture = self.depth_texture(size)?;
-        // SAFETY: the names belong to the DepthTarget, which deletes them.
-        let (target, status) = unsafe {
-            let framebuffer = gl.create_framebuffer();
-            let framebuffer = framebuffer.inspect_err(|_| gl.delete_texture(texture))?;
-            let ctx = self.ctx.clone();
-            let target = DepthTarget {
-                ctx,
-                texture,
-                framebuffer,
-                size,
-            };
-            gl.bind_framebuffer(FRAMEBUFFER, Some(framebuffer));
-            gl.framebuffer_texture_2d(FRAMEBUFFER, DEPTH_ATTACHMENT, TEXTURE_2D, Some(texture), 0);
-            gl.draw_buffer(NONE);
-            gl.read_buffer(NONE);
-            (target, gl.check_framebuffer_status(FRAMEBUFFER))
-        };
-        self.bind(bound);
-        match status {
-            FRAMEBUFFER_COMPLETE => Ok(target),
-            _ => Err(format!("framebuffer status {status:#x}")),
+    /// An empty texture with these parameters.
+    pub fn texture(&self, spec: &Spec, parameters: &[(u32, u32)]) -> Result<Owned, String> {
+        let (gl, kind) = (&self.ctx, glow::TEXTURE_2D);
+        let (inner, outer, data) = spec.texels.format();
+        let (width, height, inner) = (spec.size.0 as i32, spec.size.1 as i32, inner as i32);
+        // SAFETY: no client memory is passed.
+        unsafe {
+            let raw = gl.create_texture()?;
+            gl.bind_texture(kind, Some(raw));
+            gl.tex_image_2d(kind, 0, inner, width, height, 0, outer, data, None);
+            for &(name, value) in parameters {
+                gl.tex_parameter_i32(kind, name, value as i32);
+            }
+            Ok(self.own(Name::Texture(raw)))
         }
     }
 
-    /// An empty depth texture for comparison.
-    fn depth_texture(&self, size: i32) -> Result<glow::Texture, String> {
+    /// An empty buffer that is drawn into and never read by shaders.
+    pub fn renderbuffer(&self, spec: &Spec) -> Result<Owned, String> {
+        let gl = &self.ctx;
+        let (width, height, samples) =
+            (spec.size.0 as i32, spec.size.1 as i32, spec.samples as i32);
+        let (format, _, _) = spec.texels.format();
+        // SAFETY: no client memory is passed.
+        unsafe {
+            let raw = gl.create_renderbuffer()?;
+            let owned = self.own(Name::Renderbuffer(raw));
+            gl.bind_renderbuffer(glow::RENDERBUFFER, Some(raw));
+            gl.renderbuffer_storage_multisample(glow::RENDERBUFFER, samples, format, width, height);
+            Ok(owned)
+        }
+    }
+
+    /// A framebuffer of a picture, a depth buffer, or both. It stays bound.
+    pub fn framebuffer(&self, parts: &[(Texels, &Owned)]) -> Result<Owned, String> {
         let gl = &self.ctx;
         use glow::{
-            CLAMP_TO_EDGE, COMPARE_REF_TO_TEXTURE, LEQUAL, LINEAR, TEXTURE_2D, UNSIGNED_INT,
+            COLOR_ATTACHMENT0, DEPTH_ATTACHMENT, FRAMEBUFFER, NONE, RENDERBUFFER, TEXTURE_2D,
         };
-        let parameters = [
-            (glow::TEXTURE_MIN_FILTER, LINEAR),
-            (glow::TEXTURE_MAG_FILTER, LINEAR),
-            (glow::TEXTURE_WRAP_S, CLAMP_TO_EDGE),
-            (glow::TEXTURE_WRAP_T, CLAMP_TO_EDGE),
-            (glow::TEXTURE_COMPARE_MODE, COMPARE_REF_TO_TEXTURE),
-            (glow::TEXTURE_COMPARE_FUNC, LEQUAL),
-        ];
-        let (inner, outer) = (glow::DEPTH_COMPONENT24 as i32, glow::DEPTH_COMPONENT);
-        // SAFETY: no client memory is passed; the caller owns the name.
+        let buffer = match parts.iter().any(|(texels, _)| *texels != Texels::Depth) {
+            true => COLOR_ATTACHMENT0,
+            false => NONE,
+        };
+        // SAFETY: all names are live; an incomplete framebuffer is an error that is told.
         unsafe {
-            let texture = gl.create_texture()?;
-            gl.bind_texture(TEXTURE_2D, Some(texture));
-            gl.tex_image_2d(
-                TEXTURE_2D,
-                0,
-                inner,
-                size,
-                size,
-                0,
-                outer,
-                UNSIGNED_INT,
-                None,
-            );
-            for (name, value) in parameters {
-                gl.tex_parameter_i32(TEXTURE_2D, name, value as i32);
+            let raw = gl.create_framebuffer()?;
+            let owned = self.own(Name::Framebuffer(raw));
+            gl.bind_framebuffer(FRAMEBUFFER, Some(raw));
+            gl.draw_buffer(buffer);
+            gl.read_buffer(buffer);
+            for (texels, part) in parts {
+                let at = match texels {
+                    Texels::Depth => DEPTH_ATTACHMENT,
+                    Texels::Light => COLOR_ATTACHMENT0,
+                };
+                match part.name {
+                    Name::Texture(name) => {
+                        gl.framebuffer_texture_2d(FRAMEBUFFER, at, TEXTURE_2D, Some(name), 0)
+                    }
+                    Name::Renderbuffer(name) => {
+                        gl.framebuffer_renderbuffer(FRAMEBUFFER, at, RENDERBUFFER, Some(name))
+                    }
+                    _ => return Err("nothing that a framebuffer can have".into()),
+                }
             }
-            Ok(texture)
+            match gl.check_framebuffer_status(FRAMEBUFFER) {
+                glow::FRAMEBUFFER_COMPLETE => Ok(owned),
+                status => Err(format!("framebuffer status {status:#x}")),
+            }
+        }
+    }
+
+    /// The largest side of a texture that the driver allows.
+    pub fn largest_side(&self) -> u32 {
+        // SAFETY: a query of state.
+        unsafe { self.ctx.get_parameter_i32(glow::MAX_TEXTURE_SIZE) }.max(1) as u32
+    }
+
+    /// Lets shaders read a texture, at a texture unit.
+    pub fn read_from(&self, unit: u32, texture: &Owned) {
+        let Name::Texture(raw) = texture.name else {
+            return;
+        };
+        // SAFETY: no program reads it while it is the target.
+        unsafe {
+            self.ctx.active_texture(glow::TEXTURE0 + unit);
+            self.ctx.bind_texture(glow::TEXTURE_2D, Some(raw));
+            self.ctx.active_texture(glow::TEXTURE0);
+        }
+    }
+
+    /// Copies a picture to another of the same size; of several samples a pixel, the mean.
+    pub fn copy(&self, from: Bound, to: Bound, (width, height): (u32, u32)) {
+        let (gl, w, h) = (&self.ctx, width as i32, height as i32);
+        let (mask, filter) = (glow::COLOR_BUFFER_BIT, glow::NEAREST);
+        // SAFETY: no client memory is involved.
+        unsafe {
+            gl.bind_framebuffer(glow::READ_FRAMEBUFFER, from.0);
+            gl.bind_framebuffer(glow::DRAW_FRAMEBUFFER, to.0);
+            gl.blit_framebuffer(0, 0, w, h, 0, 0, w, h, mask, filter);
         }
     }
 
     /// The framebuffer that is bound for drawing.
-    pub fn target(&self) -> Target {
+    pub fn bound(&self) -> Bound {
         // SAFETY: a query of state.
-        Target(unsafe {
+        Bound(unsafe {
             self.ctx
                 .get_parameter_framebuffer(glow::DRAW_FRAMEBUFFER_BINDING)
         })
     }
 
-    /// Binds a framebuffer that [`Gl::target`] named.
-    pub fn bind(&self, target: Target) {
+    /// Binds a framebuffer that [`Gl::bound`] named.
+    pub fn bind(&self, bound: Bound) {
         // SAFETY: an unknown name is an OpenGL error, not a memory error.
-        unsafe { self.ctx.bind_framebuffer(glow::FRAMEBUFFER, target.0) }
+        unsafe { self.ctx.bind_framebuffer(glow::FRAMEBUFFER, bound.0) }
     }
 
-    /// Sets all state that the passes rely on, whatever others left behind.
-    pub fn reset(&self) {
+    /// Will delete an object.
+    fn own(&self, name: Name) -> Owned {
+        let ctx = self.ctx.clone();
+        Owned { ctx, name }
+    }
+
+    /// Sets what no pass changes, whatever others left behind.
+    pub fn set_defaults(&self, units: u32) {
         let gl = &self.ctx;
-        use glow::{
-            BLEND, FRAMEBUFFER_SRGB, POLYGON_OFFSET_FILL, PRIMITIVE_RESTART, SCISSOR_TEST,
-            STENCIL_TEST,
-        };
-        // SAFETY: switches of state; no memory is involved.
+        // SAFETY: state; no memory is involved.
         unsafe {
-            for switch in [
-                BLEND,
-                FRAMEBUFFER_SRGB,
-                POLYGON_OFFSET_FILL,
-                PRIMITIVE_RESTART,
-                SCISSOR_TEST,
-                STENCIL_TEST,
-            ] {
-                gl.disable(switch);
-            }
-            gl.enable(glow::MULTISAMPLE);
             gl.polygon_mode(glow::FRONT_AND_BACK, glow::FILL);
             gl.color_mask(true, true, true, true);
             gl.front_face(glow::CCW);
@@ -305,28 +346,23 @@ impl Gl {
             gl.blend_equation(glow::FUNC_ADD);
             gl.blend_func(glow::ONE, glow::ONE_MINUS_SRC_ALPHA);
             gl.active_texture(glow::TEXTURE0);
-            gl.bind_sampler(0, None);
+            (0..units).for_each(|unit| gl.bind_sampler(unit, None));
         }
     }
 
-    /// How the next draws meet what is there.
-    pub fn state(&self, depth: Depth, blend: Blend, cull: Cull) {
-        let gl = &self.ctx;
-        let switch = |name, on| {
-            // SAFETY: a switch of state.
-            unsafe {
-                if on {
-                    gl.enable(name)
-                } else {
-                    gl.disable(name)
-                }
-            }
-        };
-        switch(glow::DEPTH_TEST, depth != Depth::Off);
-        switch(glow::BLEND, blend == Blend::Over);
-        switch(glow::CULL_FACE, cull == Cull::Back);
-        // SAFETY: as above.
-        unsafe { gl.depth_mask(depth == Depth::Write) }
+    /// Turns something on or off.
+    pub fn switch(&self, name: u32, on: bool) {
+        // SAFETY: state; an unknown name is an OpenGL error.
+        match on {
+            true => unsafe { self.ctx.enable(name) },
+            false => unsafe { self.ctx.disable(name) },
+        }
+    }
+
+    /// Whether the depth of what is drawn is kept.
+    pub fn keep_depth(&self, keep: bool) {
+        // SAFETY: state.
+        unsafe { self.ctx.depth_mask(keep) }
     }
 
     /// Draws into this part of the target and clears its depth; its colour is left to the passes.
@@ -382,21 +418,14 @@ impl Gl {
         if pixels.is_empty() {
             return pixels;
         }
+        let (format, kind) = (glow::RGB, glow::UNSIGNED_BYTE);
         // SAFETY: with a pack alignment of 1 exactly `row * height` bytes are written.
         unsafe {
             gl.bind_buffer(glow::PIXEL_PACK_BUFFER, None);
             gl.pixel_store_i32(glow::PACK_ALIGNMENT, 1);
             gl.pixel_store_i32(glow::PACK_ROW_LENGTH, 0);
             let into = glow::PixelPackData::Slice(&mut pixels);
-            gl.read_pixels(
-                0,
-                0,
-                width as i32,
-                height as i32,
-                glow::RGB,
-                glow::UNSIGNED_BYTE,
-                into,
-            );
+            gl.read_pixels(0, 0, width as i32, height as i32, format, kind, into);
         }
         pixels
     }
@@ -439,54 +468,30 @@ impl Uniforms {
     }
 }
 
-impl DepthTarget {
-    /// Makes it the target and clears it.
-    pub fn draw_into(&self, gl: &Gl) {
-        // SAFETY: the framebuffer is complete.
-        unsafe {
-            self.ctx
-                .bind_framebuffer(glow::FRAMEBUFFER, Some(self.framebuffer))
+impl Owned {
+    /// A framebuffer, to be bound.
+    pub fn target(&self) -> Bound {
+        match self.name {
+            Name::Framebuffer(name) => Bound(Some(name)),
+            _ => Bound(None),
         }
-        gl.viewport(self.size as u32, self.size as u32);
-    }
-
-    /// Lets shaders read it, at texture unit 0.
-    pub fn read_from(&self) {
-        // SAFETY: the texture lives as long as self; no program reads it while it is the target.
-        unsafe { self.ctx.bind_texture(glow::TEXTURE_2D, Some(self.texture)) }
     }
 }
 
-impl Drop for Program {
+impl Drop for Owned {
     fn drop(&mut self) {
+        let gl = &self.ctx;
         // SAFETY: the name is ours and used nowhere else.
-        unsafe { self.ctx.delete_program(self.raw) }
-    }
-}
-
-impl Drop for Geometry {
-    fn drop(&mut self) {
-        // SAFETY: the names are ours and used nowhere else.
         unsafe {
-            self.ctx.delete_vertex_array(self.array);
-            self.ctx.delete_buffer(self.buffer);
-        }
-    }
-}
-
-impl Drop for Uniforms {
-    fn drop(&mut self) {
-        // SAFETY: as above.
-        unsafe { self.ctx.delete_buffer(self.buffer) }
-    }
-}
-
-impl Drop for DepthTarget {
-    fn drop(&mut self) {
-        // SAFETY: as above.
-        unsafe {
-            self.ctx.delete_framebuffer(self.framebuffer);
-            self.ctx.delete_texture(self.texture);
+            match self.name {
+                Name::Shader(name) => gl.delete_shader(name),
+                Name::Program(name) => gl.delete_program(name),
+                Name::Array(name) => gl.delete_vertex_array(name),
+                Name::Buffer(name) => gl.delete_buffer(name),
+                Name::Texture(name) => gl.delete_texture(name),
+                Name::Renderbuffer(name) => gl.delete_renderbuffer(name),
+                Name::Framebuffer(name) => gl.delete_framebuffer(name),
+            }
         }
     }
 }

@@ -1,11 +1,11 @@
 //! The picture: a stage and a view of the game in, one frame out.
 //!
-//! OpenGL 3.3 core. Everything is flat-shaded triangles with colours per vertex and no textures; lighting is worked out per
-//! vertex in linear light, and fragments only ask for the key light's shadow. No floating-point target and no full-screen
-//! pass: each shader maps its own result to the screen (shaders/tone.glsl).
+//! OpenGL 3.3 core. Everything is flat-shaded triangles with colours per vertex and no textures; lighting is worked out in
+//! linear light. The scene is drawn at the preset's resolution, and the last pass brings it to the window.
 
 mod air;
 mod backdrop;
+mod canvas;
 mod carried;
 mod debug;
 mod error;
@@ -18,42 +18,56 @@ mod hero;
 mod lamps;
 mod model;
 mod program;
+mod quality;
 mod scene;
 mod scenery;
 mod state;
+mod surface;
 mod terrain;
 mod water;
 
+pub use crate::cli::Preset;
 pub use error::RenderError;
 pub use frame::{CameraPose, Frame, Line, PointLight, Tri};
 pub use gl::load;
 
 use crate::game::Stage;
 use air::Air;
+use canvas::Canvas;
 use carried::Carried;
 use debug::Debug;
 use frame::FrameBlock;
-use gl::{DepthTarget, Geometry, Gl, Program, Uniforms};
+use gl::{Geometry, Gl, Program, Uniforms};
 use glam::Vec4;
 use hero::Hero;
+use program::Library;
+use quality::Quality;
 use scene::{Chunk, Scene};
 use state::{Blend, Cull, Depth, Format};
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
+use surface::Surface;
 
 /// Layout of the model's vertices: position, normal, colour, traits.
 const VERTEX: [Format; 4] = [Format::F3, Format::Snorm4, Format::Unorm4, Format::Unorm4];
 /// Behind the debug lines when the world is not drawn.
 const BACKGROUND: [f32; 3] = [0.07, 0.08, 0.10];
+/// Texture units, in the order of [`program::SAMPLERS`].
+const SHADOW_UNIT: u32 = 0;
+const LIGHT_UNIT: u32 = 1;
 
 /// Draws frames. Owns everything it made in its OpenGL context.
 pub struct Renderer {
     gl: Gl,
     shader_dir: PathBuf,
+    quality: Quality,
     programs: Programs,
     frame_uniforms: Uniforms,
     part_uniforms: Uniforms,
-    shadow_map: DepthTarget,
+    shadow_map: Option<Surface>,
+    canvas: Canvas,
+    /// Three corners for passes over the whole picture.
+    whole: Geometry,
     world: Geometry,
     chunks: Vec<Chunk>,
     carried: Carried,
@@ -80,13 +94,16 @@ struct Programs {
     sky: Program,
     glow: Program,
     mote: Program,
+    resolve: Program,
     line: Program,
     flat: Program,
 }
 
 impl Programs {
-    fn load(gl: &Gl, dir: &Path) -> Result<Programs, RenderError> {
-        let load = |vertex, fragment| program::load(gl, dir, vertex, fragment);
+    fn load(gl: &Gl, dir: &Path, quality: &Quality) -> Result<Programs, RenderError> {
+        let defines = &quality.defines();
+        let library = Library { dir, defines };
+        let load = |vertex, fragment| program::load(gl, &library, vertex, fragment);
         Ok(Programs {
             shadow: load("shadow", "shadow")?,
             world: load("world", "world")?,
@@ -94,6 +111,7 @@ impl Programs {
             sky: load("sky", "sky")?,
             glow: load("glow", "soft")?,
             mote: load("mote", "soft")?,
+            resolve: load("whole", "resolve")?,
             line: load("line", "flat")?,
             flat: load("flat", "flat")?,
         })
@@ -112,7 +130,10 @@ impl Renderer {
                 found: gl.version(),
             });
         }
-        let programs = Programs::load(&gl, shader_dir)?;
+        let quality = Quality::of(Preset::default());
+        let programs = Programs::load(&gl, shader_dir, &quality)?;
+        let mut whole = gl.geometry(&[Format::F1], false)?;
+        whole.upload(&[0; 3]);
         let mut figure = gl.geometry(&VERTEX, false)?;
         figure.upload(&hero::figure().words);
         Ok(Renderer {
@@ -120,7 +141,10 @@ impl Renderer {
             programs,
             frame_uniforms: gl.uniforms(0)?,
             part_uniforms: gl.uniforms(1)?,
-            shadow_map: gl.depth_target(frame::SHADOW_TEXELS)?,
+            shadow_map: shadow_map(&gl, &quality)?,
+            canvas: Canvas::default(),
+            whole,
+            quality,
             world: gl.geometry(&VERTEX, false)?,
             chunks: Vec::new(),
             carried: Carried::default(),
@@ -151,12 +175,29 @@ impl Renderer {
         self.gate = scene.gate;
     }
 
+    /// Lets pictures cost this much from now on.
+    ///
+    /// # Errors
+    /// OpenGL is out of memory, or a shader file is wrong; everything stays as it was.
+    pub fn set_preset(&mut self, preset: Preset) -> Result<(), RenderError> {
+        let quality = Quality::of(preset);
+        if quality == self.quality {
+            return Ok(());
+        }
+        let programs = Programs::load(&self.gl, &self.shader_dir, &quality)?;
+        self.shadow_map = shadow_map(&self.gl, &quality)?;
+        self.programs = programs;
+        self.canvas = Canvas::default();
+        self.quality = quality;
+        Ok(())
+    }
+
     /// Reads all shaders again.
     ///
     /// # Errors
     /// Names file and line of the first error; all programs stay as they were.
     pub fn reload_shaders(&mut self) -> Result<(), RenderError> {
-        self.programs = Programs::load(&self.gl, &self.shader_dir)?;
+        self.programs = Programs::load(&self.gl, &self.shader_dir, &self.quality)?;
         Ok(())
     }
 
@@ -165,17 +206,21 @@ impl Renderer {
         if size.0 == 0 || size.1 == 0 {
             return;
         }
-        let target = self.gl.target();
+        let window = self.gl.bound();
         let block = self.upload(frame, size);
         self.gl.reset();
-        if frame.show_world {
+        self.canvas.fit(&self.gl, &self.quality, size);
+        if let (true, Some(scene)) = (frame.show_world, self.canvas.scene()) {
             self.shadow_pass(&block);
-            self.gl.bind(target);
-            self.gl.viewport(size.0, size.1);
+            scene.draw_into(&self.gl);
             self.world_pass(&block);
             self.water_pass();
             self.sky_pass();
             self.air_pass();
+            scene.resolve(&self.gl);
+            self.gl.bind(window);
+            self.gl.viewport(size.0, size.1);
+            self.resolve_pass(scene);
         } else {
             self.gl.viewport(size.0, size.1);
             self.gl.fill(BACKGROUND);
@@ -235,7 +280,10 @@ impl Renderer {
 
     /// Depth of everything near, seen from the key light.
     fn shadow_pass(&self, block: &FrameBlock) {
-        self.shadow_map.draw_into(&self.gl);
+        let Some(shadow_map) = &self.shadow_map else {
+            return;
+        };
+        shadow_map.draw_into(&self.gl);
         self.gl.state(Depth::Write, Blend::Off, Cull::Off);
         self.gl
             .triangles(&self.programs.shadow, &self.figure, 0..usize::MAX);
@@ -253,7 +301,9 @@ impl Renderer {
 
     /// The hero, the level and the distance: from front to back, so that hidden fragments cost little.
     fn world_pass(&self, block: &FrameBlock) {
-        self.shadow_map.read_from();
+        if let Some(shadow_map) = &self.shadow_map {
+            shadow_map.read_from(&self.gl, SHADOW_UNIT);
+        }
         self.gl.state(Depth::Write, Blend::Off, Cull::Back);
         self.gl
             .triangles(&self.programs.world, &self.figure, 0..usize::MAX);
@@ -279,7 +329,7 @@ impl Renderer {
     /// The sky, wherever nothing else is.
     fn sky_pass(&self) {
         self.gl.state(Depth::Test, Blend::Off, Cull::Off);
-        self.gl.triangles(&self.programs.sky, &self.figure, 0..3);
+        self.gl.triangles(&self.programs.sky, &self.whole, 0..3);
     }
 
     /// Halos, dust, embers and puffs, over the scene but behind what is nearer.
@@ -289,6 +339,13 @@ impl Renderer {
         self.gl.instances(&self.programs.mote, &self.air.motes, 6);
     }
 
+    /// The scene in the window: from linear light to the screen.
+    fn resolve_pass(&self, scene: &Surface) {
+        self.gl.state(Depth::Off, Blend::Off, Cull::Off);
+        scene.read_from(&self.gl, LIGHT_UNIT);
+        self.gl.triangles(&self.programs.resolve, &self.whole, 0..3);
+    }
+
     /// Developers' drawings, over everything.
     fn debug_pass(&self) {
         self.gl.state(Depth::Off, Blend::Over, Cull::Off);
@@ -296,4 +353,10 @@ impl Renderer {
             .triangles(&self.programs.flat, &self.debug.tris, 0..usize::MAX);
         self.gl.instances(&self.programs.line, &self.debug.lines, 6);
     }
+}
+
+/// The shadow map of a preset that has one.
+fn shadow_map(gl: &Gl, quality: &Quality) -> Result<Option<Surface>, String> {
+    let side = quality.shadow_side;
+    side.map(|side| Surface::depth(gl, side)).transpose()
 }

@@ -11,11 +11,27 @@ use std::path::{Path, PathBuf};
 /// Uniform blocks by name, in the order of their binding points.
 pub const BLOCKS: [&str; 2] = ["FrameBlock", "PartsBlock"];
 
+/// Samplers by name, in the order of the texture units that they read.
+pub const SAMPLERS: [&str; 3] = ["shadow_map", "light_map", "bloom_map"];
+
+/// Where shaders come from: their directory, and the lines that are put before each.
+pub struct Library<'a> {
+    /// The directory.
+    pub dir: &'a Path,
+    /// Lines with `#define`.
+    pub defines: &'a str,
+}
+
 /// Reads, compiles and links `<vertex>.vert` with `<fragment>.frag`.
-pub fn load(gl: &Gl, dir: &Path, vertex: &str, fragment: &str) -> Result<Program, RenderError> {
-    let vertex = Source::read(dir, &format!("{vertex}.vert"))?;
-    let fragment = Source::read(dir, &format!("{fragment}.frag"))?;
-    gl.program(&vertex.text, &fragment.text, &BLOCKS)
+pub fn load(
+    gl: &Gl,
+    library: &Library,
+    vertex: &str,
+    fragment: &str,
+) -> Result<Program, RenderError> {
+    let vertex = Source::read(library, &format!("{vertex}.vert"))?;
+    let fragment = Source::read(library, &format!("{fragment}.frag"))?;
+    gl.program(&vertex.text, &fragment.text, (&BLOCKS, &SAMPLERS))
         .map_err(|error| match error.stage {
             Some(Stage::Vertex) => vertex.locate(&error.log),
             Some(Stage::Fragment) => fragment.locate(&error.log),
@@ -35,12 +51,12 @@ struct Source {
 }
 
 impl Source {
-    fn read(dir: &Path, name: &str) -> Result<Source, RenderError> {
+    fn read(library: &Library, name: &str) -> Result<Source, RenderError> {
         let mut source = Source {
-            text: String::from("#version 330 core\n"),
+            text: format!("#version 330 core\n{}", library.defines),
             files: Vec::new(),
         };
-        source.add(dir, name)?;
+        source.add(library.dir, name)?;
         Ok(source)
     }
 

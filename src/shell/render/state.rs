@@ -1,4 +1,10 @@
-//! Plain values that [`super::gl`] speaks in: formats of vertices, how fragments are written, errors of compilers.
+//! Plain values that [`super::gl`] speaks in: formats of vertices, how fragments are written, errors of compilers; and
+//! the state that passes set by them.
+
+use super::gl::Gl;
+
+/// Texture units that passes read from.
+const UNITS: u32 = 4;
 
 /// One vertex attribute; data are 32-bit words, so each format is a multiple of four bytes.
 #[derive(Clone, Copy, Debug)]
@@ -24,6 +30,40 @@ impl Format {
             Format::F4 => (4, glow::FLOAT, false, 16),
             Format::Unorm4 => (4, glow::UNSIGNED_BYTE, true, 4),
             Format::Snorm4 => (4, glow::BYTE, true, 4),
+        }
+    }
+}
+
+/// What a texture or a buffer is to be like.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Spec {
+    /// Width and height in texels.
+    pub size: (u32, u32),
+    /// What a texel holds.
+    pub texels: Texels,
+    /// Samples a pixel; 0 for one that shaders can read.
+    pub samples: u32,
+}
+
+/// What a texel holds.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Texels {
+    /// A depth, which is read by comparison with linear filtering.
+    Depth,
+    /// Linear light, also brighter than white.
+    Light,
+}
+
+impl Texels {
+    /// As OpenGL has it: its format inside, and the format and type of data for it.
+    pub fn format(self) -> (u32, u32, u32) {
+        match self {
+            Texels::Depth => (
+                glow::DEPTH_COMPONENT24,
+                glow::DEPTH_COMPONENT,
+                glow::UNSIGNED_INT,
+            ),
+            Texels::Light => (glow::R11F_G11F_B10F, glow::RGB, glow::FLOAT),
         }
     }
 }
@@ -55,6 +95,28 @@ pub enum Cull {
     Off,
     /// Those that look away.
     Back,
+}
+
+impl Gl {
+    /// Sets all state that the passes rely on, whatever others left behind.
+    pub fn reset(&self) {
+        use glow::{FRAMEBUFFER_SRGB, POLYGON_OFFSET_FILL, PRIMITIVE_RESTART};
+        for name in [FRAMEBUFFER_SRGB, POLYGON_OFFSET_FILL, PRIMITIVE_RESTART] {
+            self.switch(name, false);
+        }
+        self.switch(glow::SCISSOR_TEST, false);
+        self.switch(glow::STENCIL_TEST, false);
+        self.switch(glow::MULTISAMPLE, true);
+        self.set_defaults(UNITS);
+    }
+
+    /// How the next draws meet what is there.
+    pub fn state(&self, depth: Depth, blend: Blend, cull: Cull) {
+        self.switch(glow::DEPTH_TEST, depth != Depth::Off);
+        self.switch(glow::BLEND, blend == Blend::Over);
+        self.switch(glow::CULL_FACE, cull == Cull::Back);
+        self.keep_depth(depth == Depth::Write);
+    }
 }
 
 /// What went wrong between source text and program.
