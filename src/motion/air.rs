@@ -382,9 +382,7 @@ impl Body {
         let v = track.tangent * speed + carried;
         let follows = self.frame_accel();
         let steer = |x: f64| law::steer(x, &self.control, terrain.tuning);
-        // A turn that comes at this very time has come.
-        let turn = steer(v.x).time_left(v.x).map(|left| self.time + left);
-        let turns = turn == Some(self.time) && steer(v.x).until == Some(0.0);
+        let turns = steer(v.x).turns_at_once(v.x, self.time);
         let x = steer(if turns { 0.0 } else { v.x });
         let y = law::fall(v.y, &self.control, terrain.tuning);
         let push = if self.control.run != 0.0 {

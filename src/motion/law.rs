@@ -43,6 +43,11 @@ impl Law {
         }
     }
 
+    /// Whether a speed turns so soon that the time, `now`, is still the same: then it has turned.
+    pub(super) fn turns_at_once(&self, speed: f64, now: f64) -> bool {
+        self.until == Some(0.0) && self.time_left(speed).is_some_and(|left| now + left == now)
+    }
+
     /// How long it holds from a speed on.
     pub fn time_left(&self, speed: f64) -> Option<f64> {
         self.until.map(|until| (until - speed) / self.accel)

@@ -10,11 +10,12 @@
 //! next?), [`law`] and [`footing`] (how fast?), [`body`] (the state), [`event`] (what happens to it), `step` (the sequence
 //! of events) with `air`, `corner`, `surface`, `joint`, `held`, `snap`, `stair`, `one_way`, `region`, `ladder` and `size`;
 //! [`wall`], [`grip`], [`ledge`] and `correct` (at walls); `beside` (the places in all other frames), `paths`, `ride`,
-//! `contact` and `push` (what moving solids do); [`Anchor`] (edits under a body), [`check`] (the invariants).
+//! `contact`, `push` and `at_once` (what moving solids do); [`Anchor`] (edits under a body), [`check`] (the invariants).
 //!
 //! What is absent: swimming, and solids that rotate. Bodies do not meet each other.
 
 mod air;
+mod at_once;
 mod beside;
 pub mod body;
 pub mod check;

@@ -235,6 +235,7 @@ impl Body {
         let beside = &mut self.beside[i];
         let onward = next.map(|(e, s)| (e, s, mesh.track(s)));
         let outwards = contact.track.tangent * sign.signum();
+        let starts = moves.abs() <= beside.flight.grain;
         match onward {
             Some((edge, segment, track)) if track.normal.dot(outwards) < 0.0 => {
                 // The corner turns towards the body: now that edge presses, if there is a speed for both.
@@ -244,6 +245,17 @@ impl Body {
                     edge,
                 };
                 self.press_in_corner(i, new, terrain, trace);
+            }
+            // From rest it is drawn round the corner: the edge there presses at once, or it is let go of for its law leads away.
+            Some((edge, segment, track)) if starts => {
+                beside.flight.face = mesh.left(edge).unwrap_or(beside.flight.face);
+                beside.flight.touching = [Some(segment), Some(contact.segment)];
+                beside.contact = Some(Contact {
+                    segment,
+                    track,
+                    edge,
+                });
+                beside.of = None;
             }
             _ => {
                 let spoke = match heading {

@@ -103,8 +103,12 @@ impl Body {
     /// Moves up to a time, event by event. Nothing happens if it is not later than now.
     pub fn advance(&mut self, to: f64, terrain: &Terrain, trace: &mut Trace) {
         let (mut still, mut held) = (0, None);
+        trace.meetings.clear();
         while let Some((at, what)) = self.next.filter(|&(at, _)| at <= to) {
             still = if at > self.time { 0 } else { still + 1 };
+            if still == 0 {
+                trace.meetings.clear();
+            }
             self.time = at.max(self.time);
             if still > CYCLE {
                 // Where rest does not end it either, between solids that move, the body is crushed.
@@ -118,6 +122,7 @@ impl Body {
             }
             self.handle(what, terrain, trace);
         }
+        trace.meetings.clear();
         self.time = self.time.max(to);
     }
 
@@ -150,6 +155,9 @@ impl Body {
         // What a contact gives a body at once comes before what pulls it off slowly.
         self.press_speed(terrain, trace);
         self.meet_at_once(terrain, trace);
+        if !self.beside.is_empty() {
+            self.meet_again(terrain, trace);
+        }
         self.comes_off(terrain, trace);
         // Once more for who is off the slope on which he was granted none: in the air the coyote time may count.
         self.jump_if_asked(terrain, trace);
@@ -321,10 +329,11 @@ impl Body {
         match &mut self.mode {
             Mode::Air(air) => {
                 let run = air.lock.map_or(control.run, |lock| lock.run);
-                let (x, fall) = (
-                    law::steer(air.v0.x, &Control { run, ..control }, t),
-                    law::fall(air.v0.y, &control, t),
-                );
+                let steer = |speed: f64| law::steer(speed, &Control { run, ..control }, t);
+                if steer(air.v0.x).turns_at_once(air.v0.x, air.t0) {
+                    air.v0.x = 0.0;
+                }
+                let (x, fall) = (steer(air.v0.x), law::fall(air.v0.y, &control, t));
                 let y = if turns {
                     fall.up_to_turn(air.v0.y)
                 } else {

@@ -105,8 +105,7 @@ fn runs_that_failed_once_keep_every_invariant() {
     }
 }
 
-/// Faults that are still open, most of them endless chains of impacts between solids that move: `FUZZ_CASE` shows each. Even
-/// they end, and leave the body in no solid.
+/// Faults that are still open: `FUZZ_CASE` shows each. Even they end, and leave the body in no solid.
 #[test]
 fn runs_that_still_fail_do_no_harm() {
     for (path, case) in save::load_all(Path::new("tests/fuzz/open")) {
