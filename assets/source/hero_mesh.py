@@ -1,38 +1,57 @@
-"""The hero's body."""
+"""The hero's body as one skinned mesh in Blender, its facets shaded by what is near them."""
+
+from math import cos, pi, sin, sqrt
 
 import bpy
+from mathutils import Vector
+from mathutils.bvhtree import BVHTree
 
-from hero_rig import JOINTS, PLACE, to_blender
-from hero_shapes import Paint, Shape, limb
+from hero_armour import armour
+from hero_gear import gear
+from hero_rig import JOINTS, to_blender
+from hero_shapes import Shape
 
-STEEL, DARK, CLOTH, LEATHER = Paint(0xC9D2DA), Paint(0x39424F), Paint(0x2C5F73), Paint(0x6B4630)
-RED, BRASS, FLAME = Paint(0xD83A2B), Paint(0xD6A04E), Paint(0xFFD27A, glow=True)
+# Facets that others stand close to are darker: looked at along so many rays, so far, at most so much.
+SHADE_RAYS, SHADE_REACH, SHADE_MOST = 48, 0.22, 0.50
 
 
 def figure():
+    """The whole body, in figure axes."""
     shape = Shape()
-    at = PLACE
-    limb(shape, (0, 0.62, 0), (0, 0.86, 0), [(0, .16, .2, 0), (1, .13, .16, 0)], 8, CLOTH, "hips")
-    limb(shape, (0, 0.86, 0), (0, 1.0, 0), [(0, .13, .16, 0), (1, .15, .18, 0)], 8, CLOTH, "spine")
-    limb(shape, (0, 1.0, 0), (0, 1.25, 0), [(0, .15, .18, 0), (.5, .18, .22, 0), (1, .1, .12, 0)], 8, STEEL, "chest")
-    limb(shape, (0, 1.25, 0), (0, 1.64, 0), [(0, .15, .14, 0), (.7, .18, .17, 0), (1, .08, .08, 0)], 8, STEEL, "head")
-    limb(shape, (.1, 1.62, 0), (-.25, 1.62, 0), [(0, .02, .02, 0), (.5, .06, .03, 0), (1, .02, .02, 0)], 6, RED, "crest", (0, 1, 0))
-    for s in "lr":
-        for a, b, r, paint in (("upper_arm", "forearm", .06, DARK), ("forearm", "hand", .06, STEEL), ("thigh", "shin", .085, DARK), ("shin", "foot", .075, STEEL)):
-            limb(shape, at[f"{a}.{s}"], at[f"{b}.{s}"], [(0, r * 1.1, r * 1.1, 0), (1, r * .8, r * .8, 0)], 6, paint, f"{a}.{s}")
-        h = at[f"hand.{s}"]
-        limb(shape, h, (h.x + .02, h.y - .1, h.z), [(0, .04, .035, 0), (1, .045, .04, 0)], 6, LEATHER, f"hand.{s}")
-        f = at[f"foot.{s}"]
-        limb(shape, (f.x - .06, .05, f.z), (f.x + .17, .04, f.z), [(0, .05, .05, 0), (1, .03, .05, 0)], 6, LEATHER, f"foot.{s}", (0, 1, 0))
-    for i in range(1, 6):
-        a = at[f"cape.{i}"]
-        b = at[f"cape.{i + 1}"] if i < 5 else a + (a - at["cape.4"])
-        limb(shape, a, b, [(0, .015, .16 + .02 * i, 0), (1, .015, .18 + .02 * i, 0)], 4, RED, f"cape.{i}")
-    p = at["lantern"]
-    limb(shape, p, (p.x, p.y - .25, p.z), [(0, .02, .02, 0), (.3, .06, .06, 0), (1, .05, .05, 0)], 6, FLAME, "lantern")
-    p = at["sword"]
-    limb(shape, (p.x + .12, p.y + .06, p.z), (p.x - .4, p.y - .25, p.z), [(0, .02, .02, 0), (1, .03, .02, 0)], 4, BRASS, "sword", (0, 1, 0))
+    armour(shape)
+    gear(shape)
     return shape
+
+
+def shades(shape):
+    """For each facet how much of its paint is left by the shade of what is near."""
+    tree = BVHTree.FromPolygons(shape.corners, [corners for corners, _, _ in shape.facets])
+    kept = []
+    for corners, _, glow in shape.facets:
+        points = [shape.corners[c] for c in corners]
+        normal = (points[1] - points[0]).cross(points[2] - points[0]).normalized()
+        middle = sum(points, Vector()) / len(points) + normal * 0.002
+        met = 0.0
+        for x, y, z in _HEMISPHERE:
+            aside = normal.orthogonal().normalized()
+            ray = aside * x + normal.cross(aside) * y + normal * z
+            hit = tree.ray_cast(middle, ray, SHADE_REACH)
+            if hit[0]:
+                met += 1.0 - hit[3] / SHADE_REACH
+        kept.append(1.0 if glow else 1.0 - SHADE_MOST * min(1.0, 1.4 * met / SHADE_RAYS))
+    return kept
+
+
+def _hemisphere():
+    """Directions about +z, more of them near it."""
+    rays = []
+    for i in range(SHADE_RAYS):
+        radius, angle = sqrt((i + 0.5) / SHADE_RAYS), 2 * pi * i * 0.61803398875
+        rays.append((radius * cos(angle), radius * sin(angle), sqrt(1 - radius * radius)))
+    return rays
+
+
+_HEMISPHERE = _hemisphere()
 
 
 def build_mesh(rig):
@@ -41,10 +60,10 @@ def build_mesh(rig):
     mesh = bpy.data.meshes.new("hero")
     mesh.from_pydata([to_blender(p) for p in shape.corners], [], [corners for corners, _, _ in shape.facets])
     colours = mesh.color_attributes.new("Color", "FLOAT_COLOR", "CORNER")
-    for polygon, (_, colour, glow) in zip(mesh.polygons, shape.facets):
+    for polygon, (_, colour, glow), kept in zip(mesh.polygons, shape.facets, shades(shape)):
         polygon.material_index = int(glow)
         for loop in polygon.loop_indices:
-            colours.data[loop].color = (*colour, 1.0)
+            colours.data[loop].color = (*(c * kept for c in colour), 1.0)
     for name in ("matte", "glow"):
         mesh.materials.append(material(name))
     hero = bpy.data.objects.new("hero", mesh)

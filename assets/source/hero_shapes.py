@@ -158,6 +158,107 @@ def limb(shape, start, end, profile, count, paint, weights, forward=(1, 0, 0), s
     return rings
 
 
+def stops(*pairs):
+    """Weights that change along a number: (value, bone) pairs; between two the shares go over from one to the other."""
+    def bound(value):
+        if value <= pairs[0][0]:
+            return {pairs[0][1]: 1.0}
+        for (low, a), (high, b) in zip(pairs, pairs[1:]):
+            if value <= high:
+                share = (value - low) / (high - low)
+                return {a: 1.0} if a == b else {a: 1.0 - share, b: share}
+        return {pairs[-1][1]: 1.0}
+    return bound
+
+
+def chain(shape, joints, profile, count, paint, bones, softness=0.22, forward=(1, 0, 0), power=2.0, start_angle=0.5):
+    """A tube along two bones, its skin bending softly where they meet. Profile as for `limb`, the way from 0 to 2."""
+    first, middle, last = (Vector(j) for j in joints)
+    bound = stops((1.0 - softness, bones[0]), (1.0 + softness, bones[1]))
+    rings = []
+    for way, fore, aside, shift in profile:
+        upper, lower = axes_along(first, middle, forward), axes_along(middle, last, forward)
+        turned = max(0.0, min(1.0, (way - 1.0 + softness) / (2 * softness)))
+        axes = axes_along(first, first + upper[1].lerp(lower[1], turned), forward)
+        at = first.lerp(middle, way) if way <= 1.0 else middle.lerp(last, way - 1.0)
+        points = oval(at + axes[0] * shift, fore, aside, count, start_angle, power, axes)
+        rings.append(shape.ring(points, bound(way)))
+    shape.skin(rings, paint)
+    return rings
+
+
+def plate(shape, surface, rows, columns, bind, paint, rim=None, thickness=0.014, inset=0.008, back=None):
+    """A bent plate with bevelled edges. `surface(u, v)` is a point for u, v in 0..1, its outside where u x v points;
+    `bind` the bone or bones, or a function of the point; `rim` the paint of the edge, `back` that of the inside if it shows."""
+    rim = rim or paint
+    tiny = 1e-3
+
+    def normal(u, v):
+        u, v = min(max(u, tiny), 1 - tiny), min(max(v, tiny), 1 - tiny)
+        across = surface(u + tiny, v) - surface(u - tiny, v)
+        down = surface(u, v + tiny) - surface(u, v - tiny)
+        return across.cross(down).normalized()
+
+    width = max((surface(1, 0.5) - surface(0.5, 0.5)).length + (surface(0.5, 0.5) - surface(0, 0.5)).length, 1e-4)
+    height = max((surface(0.5, 1) - surface(0.5, 0.5)).length + (surface(0.5, 0.5) - surface(0.5, 0)).length, 1e-4)
+    du, dv = min(0.3, inset / width), min(0.3, inset / height)
+
+    def corner(u, v, depth, pull):
+        u, v = du * pull + u * (1 - 2 * du * pull), dv * pull + v * (1 - 2 * dv * pull)
+        point = surface(u, v) - normal(u, v) * depth
+        return shape.corner(point, bind(point) if callable(bind) else bind)
+
+    def grid(depth, pull):
+        return [[corner(c / columns, r / rows, depth, pull) for c in range(columns + 1)] for r in range(rows + 1)]
+
+    def border(cells):
+        top, bottom = cells[0], cells[-1][::-1]
+        right, left = [row[-1] for row in cells[1:-1]], [row[0] for row in cells[1:-1]][::-1]
+        return top + right + bottom + left
+
+    def edge(depth, pull):
+        ways = border([[(c / columns, r / rows) for c in range(columns + 1)] for r in range(rows + 1)])
+        return [corner(u, v, depth, pull) for u, v in ways]
+
+    face = grid(0.0, 1.0)
+    for upper, lower in zip(face, face[1:]):
+        for c in range(columns):
+            shape.quad(upper[c], upper[c + 1], lower[c + 1], lower[c], paint)
+    outer, brim = border(face), edge(thickness, 0.0)
+    shape.skin([brim, outer], rim)
+    if back:
+        inside = grid(thickness * 1.2, 0.5)
+        shape.skin([border(inside), brim], back)
+        for upper, lower in zip(inside, inside[1:]):
+            for c in range(columns):
+                shape.quad(upper[c + 1], upper[c], lower[c], lower[c + 1], back)
+
+
+def block(shape, centre, half, paint, bind, top=0.8, axes=None, base=1.0):
+    """A box with a bevelled top, narrower there; its foot is hidden."""
+    x, y, z = axes if axes else (Vector((1, 0, 0)), Vector((0, 1, 0)), Vector((0, 0, 1)))
+    rings = []
+    for level, size in ((-1.0, base), (0.45, (1 + top) / 2), (1.0, top * 0.78)):
+        outline = [(half[0], -half[2]), (-half[0], -half[2]), (-half[0], half[2]), (half[0], half[2])]
+        points = [Vector(centre) + x * a * size + y * (level * half[1]) + z * b * size for a, b in outline]
+        rings.append(shape.ring(points, bind))
+    shape.skin(rings, paint)
+    shape.cap(rings[0][::-1], paint)
+    shape.cap(rings[-1], paint)
+
+
+def loft(shape, rings, paint, bind, caps=(True, True)):
+    """Skin over rings of points (anticlockwise as seen from the last); `bind` as for `plate`."""
+    made = [[shape.corner(p, bind(p) if callable(bind) else bind) for p in ring] for ring in rings]
+    shape.skin(made, paint)
+    first, last = (paint[0], paint[-1]) if isinstance(paint, list) else (paint, paint)
+    if caps[0]:
+        shape.cap(made[0][::-1], first)
+    if caps[1]:
+        shape.cap(made[-1], last)
+    return made
+
+
 def rotation(axis, degrees, about=(0, 0, 0)):
     """A rotation about a point."""
     centre = Vector(about)
