@@ -50,7 +50,7 @@ def helm(shape):
             ring(1.535, .178, .150, .144), ring(1.578, .122, .112, .100), ring(1.600, .05, .05, .04)]
     loft(shape, bowl, [SHADE, BRIGHT, STEEL, STEEL, STEEL], "head")
     temples = [(1.468, .163, .160, 0), (1.398, .163, .155, 0)]
-    plate(shape, wrap(temples, 62, 298, (0.008, 0, 0)), 1, 6, "head", SHADE, STEEL, .016, .01)
+    plate(shape, wrap(temples, 62, 298, (0.008, 0, 0)), 1, 4, "head", SHADE, STEEL, .016, .01)
     brow = [(1.488, .203, .160, 0), (1.452, .214, .168, 0)]
     plate(shape, wrap(brow, -80, 80, (0.008, 0, 0)), 1, 4, "head", BRASS, BRASS_DARK, .012, .007)
     ridge(shape)
@@ -115,7 +115,7 @@ def trunk(shape):
     breast = [(1.205, .095, .150, .0), (1.15, .165, .194, .0), (1.07, .188, .205, .0), (.975, .158, .172, .0), (.925, .168, .182, .0)]
     plate(shape, wrap(breast, -106, 106, keel=.10), 4, 6, bound, STEEL, BRIGHT, .02, .012)
     back = [(1.20, .10, .15, .0), (1.10, .152, .20, .0), (.98, .135, .175, .0), (.93, .15, .18, .0)]
-    plate(shape, wrap(back, 112, 248), 2, 3, bound, SHADE, STEEL, .02, .012)
+    plate(shape, wrap(back, 112, 248), 1, 3, bound, SHADE, STEEL, .02, .012)
     lame = [(.945, .138, .158, .0), (.90, .152, .172, .0), (.868, .168, .188, .0)]
     plate(shape, wrap(lame, -172, 172, keel=.05), 1, 8, bound, SHADE, STEEL, .02, .009)
     panel = [(1.192, .125, .17, .006), (1.15, .176, .203, .008), (1.07, .200, .214, .010), (.975, .172, .184, .010), (.925, .182, .194, .012), (.85, .182, .19, .010)]
@@ -136,13 +136,13 @@ def shoulder(size=1.0, rims=BRIGHT):
     axes = [lean @ Vector(axis) for axis in ((1, 0, 0), (0, 1, 0), (0, 0, 1))]
     origin = (x + .002, y - .005, z + .012)
     lames = [
-        ([(-.045, .118, .112, 0), (-.115, .128, .120, 0)], 1, SHADE, STEEL, {"chest": .08, "upper_arm.r": .92}),
-        ([(.02, .120, .112, 0), (-.035, .136, .128, 0), (-.060, .145, .137, 0)], 2, STEEL, rims, {"chest": .3, "upper_arm.r": .7}),
+        ([(-.045, .118, .112, 0), (-.115, .128, .120, 0)], 1, SHADE, STEEL, {"chest": .35, "upper_arm.r": .65}),
+        ([(.02, .120, .112, 0), (-.035, .136, .128, 0), (-.060, .145, .137, 0)], 2, STEEL, rims, {"chest": .5, "upper_arm.r": .5}),
         ([(.112, .035, .03, 0), (.098, .085, .075, 0), (.048, .128, .118, 0), (.002, .146, .138, 0)], 3, STEEL, rims,
-         {"chest": .55, "upper_arm.r": .45})]
+         {"chest": .7, "upper_arm.r": .3})]
     for profile, rows, paint, rim, bind in lames:
         scaled = [(h * size, a * size, b * size, s) for h, a, b, s in profile]
-        plate(shape, wrap(scaled, -28, 208, origin, axes), rows, 4, bind, paint, rim, .016, .011, SHADE if rows == 3 else None)
+        plate(shape, wrap(scaled, -28, 208, origin, axes), rows, 4, bind, paint, rim, .016, .011, SHADE if rows < 3 else None)
     return shape
 
 
@@ -212,7 +212,7 @@ def boot(shape, ankle):
     loft(shape, shaft, [LEATHER, LEATHER_EDGE], lambda p: around(p.y))
     path = [  # x from the ankle, sole, top, half width
         (-.080, .006, .085, .036), (-.04, .0, .125, .050), (.02, .0, .128, .054), (.065, .0, .105, .058),
-        (.115, .0, .085, .066), (.165, .003, .064, .060), (.198, .014, .040, .036)]
+        (.115, .0, .085, .066), (.160, .017, .070, .060), (.198, .030, .052, .036)]
     rings = []
     for x, sole, top, half in path:
         edge = sole + (top - sole) * .26

@@ -3,9 +3,8 @@
 import bpy
 from mathutils import Vector
 
+from hero_clip import KEYS_A_SECOND
 from hero_rig import JOINTS
-
-KEYS_A_SECOND = 30
 
 
 def clear():

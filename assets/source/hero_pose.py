@@ -12,8 +12,9 @@ axes (hero_rig). Positive is: pitch forward and down, yaw to the figure's left, 
     arm.S.ik, reach.S.x .y .z, arm.S.pole   share of the hand's place that is given, that place, the elbow's turn outwards
 """
 
-from math import acos, cos, degrees, radians, sin
+from math import acos, atan2, cos, degrees, radians, sin
 
+import bpy  # noqa: F401  (first: mathutils comes with it)
 from mathutils import Matrix, Quaternion, Vector
 
 from hero_rig import CARRIER, JOINTS, PLACE
@@ -23,7 +24,10 @@ DOWN = -Y
 SIDES = {"l": -1.0, "r": 1.0}
 # The sole: ankle above it, heel behind and ball before the ankle.
 ANKLE = PLACE["foot.r"].y
-HEEL, BALL = -0.055, 0.105
+HEEL, BALL = Vector((-0.075, -ANKLE, 0.0)), Vector((0.115, -ANKLE, 0.0))
+# The toe's tip, and how far the boot rolls over its ball until the tip is down.
+TIP = Vector((0.198, 0.030 - ANKLE, 0.0))
+ROLL = degrees(atan2(TIP.y - BALL.y, TIP.x - BALL.x))
 # A limb is never stretched quite straight: the joint would jump.
 STRAIGHT = 0.998
 
@@ -122,9 +126,13 @@ class Solver:
         names = thigh, shin, foot = [f"{joint}.{side}" for joint in ("thigh", "shin", "foot")]
         pitch, yaw = self.get(f"{foot}.pitch"), self.get(f"{foot}.yaw")
         sole = Vector([self.get(f"{foot}.{axis}") for axis in "xyz"])
-        pivot = Vector((BALL if pitch > 0.0 else HEEL, -ANKLE, 0.0))
         flat, tilted = turn(Y, yaw), turn(Y, yaw) @ turn(Z, -pitch)
-        ankle = sole + Y * ANKLE + flat @ pivot - tilted @ pivot
+        # A boot rolls over its ball, then stands on its tip; toes up it stands on its heel.
+        pivot = BALL if pitch > 0.0 else HEEL
+        rolled = turn(Y, yaw) @ turn(Z, -min(pitch, ROLL))
+        ankle = sole + Y * ANKLE + flat @ pivot - rolled @ pivot
+        if pitch > ROLL:
+            ankle += rolled @ TIP - tilted @ TIP
         self._place(thigh, Quaternion())
         pole = self.world["hips"] @ (turn(Y, -sign * self.get(f"knee.{side}.out")) @ X)
         self._two_bones(names, ankle, pole, -1.0)

@@ -107,6 +107,14 @@ def sheet(rig, cells, columns, path, pixels=PIXELS_A_METRE):
         slab = bpy.context.object
         slab.matrix_world = place @ Matrix.Translation((0, 0, -0.02)) @ Matrix.Diagonal((CELL.x * 0.94, 0.9, 0.04, 1))
         slab.data.materials.append(ground)
+        clip, key, _ = cells[index]
+        if clip in WALLED:
+            low, high = (-0.05, 1.95) if clip not in LEDGE else (-0.05, LEDGE[clip](key))
+            bpy.ops.mesh.primitive_cube_add(size=1)
+            wall = bpy.context.object
+            turned = place @ Matrix.Rotation(radians(-angle), 4, "Z")
+            wall.matrix_world = turned @ Matrix.Translation((WALL + 0.1, 0.35, (low + high) / 2)) @ Matrix.Diagonal((0.2, 0.8, max(high - low, 0.01), 1))
+            wall.data.materials.append(ground)
     camera = bpy.data.objects.new("camera", bpy.data.cameras.new("camera"))
     camera.data.type = "ORTHO"
     width, height = columns * CELL.x, rows * CELL.y
@@ -151,6 +159,10 @@ def main():
         sheet(rig, [(what, i * step, THREE_QUARTERS) for i in range(shown)], 6, path)
 
 
+# What he holds on to is shown: the wall before him; a ledge comes down as he climbs.
+WALL = 0.406
+WALLED = {"wall_slide", "ledge_hang", "ledge_climb", "climb_wall"}
+LEDGE = {"ledge_hang": lambda key: 1.6, "ledge_climb": lambda key: max(0.0, 1.6 * (1 - key / 9))}
 LOOPS = "idle walk run rise fall crouch crawl wall_slide ledge_hang ladder climb_wall".split()
 
 if __name__ == "__main__":
