@@ -393,7 +393,8 @@ impl Body {
         self.rounding_at(track.parameter(v).abs())
     }
 
-    fn rounding_at(&self, speed: f64) -> f64 {
+    /// The same for a speed, m/s.
+    pub(super) fn rounding_at(&self, speed: f64) -> f64 {
         let largest = self.position().abs().max_element().max(1.0);
         // On the way from one frame to another there are as many sums again.
         let sums = if self.beside.is_empty() { 8.0 } else { 16.0 };

@@ -16,6 +16,7 @@ use super::law::Law;
 use super::terrain::{Ground, Region, Terrain};
 use super::track::{Track, delta};
 use super::vertex::{segment_at, spokes};
+use crate::geom::STEP;
 use crate::mesh::{EdgeId, FaceId, SegmentId};
 use crate::tune::Motion;
 use glam::DVec2;
@@ -34,7 +35,7 @@ pub enum Reach {
     AfterApex,
     /// Not before it is pressed anew, or the body has stood without down.
     Anew,
-    /// Not before the control changes or the place is another one: the climb that was wished for has led to ground.
+    /// Not before the control changes or the place is another one, apart from the ground: the climb that was wished for has led to it.
     Landed,
 }
 
@@ -142,7 +143,7 @@ impl Body {
             Reach::Open => true,
             Reach::AfterApex => stands || !rises,
             Reach::Anew => stands && !self.control.down,
-            Reach::Landed => !stands || !self.on_ladder(terrain),
+            Reach::Landed => !self.is_by_ground(terrain) || !self.on_ladder(terrain),
         };
         if open {
             self.reach = Reach::Open;
@@ -169,6 +170,20 @@ impl Body {
         self.climbing = true;
         (self.rising, self.coyote_from, self.off_wall) = (false, None, None);
         self.log(EventKind::Climbed, trace);
+    }
+
+    /// Whether the body stands, or has come off ground and is not yet apart from it: a lift that brakes under him who has landed on
+    /// it would be landed on again, ever sooner, if he took hold of the ladder as soon as it is gone.
+    fn is_by_ground(&self, terrain: &Terrain) -> bool {
+        let near = |mesh: Ground, s: SegmentId, p: DVec2| {
+            mesh.walkable(s) && mesh.track(s).height(p, p, p).0.abs() <= STEP
+        };
+        let beside = self.beside.iter().any(|b| {
+            let (mesh, (q, _)) = (b.ground(self.size, terrain), self.seen_from(b));
+            let mut touching = b.flight.touching.into_iter().flatten();
+            touching.any(|s| near(mesh, s, q))
+        });
+        self.supported() || beside
     }
 
     /// Holds on no longer: in the air, or sliding, from here on.

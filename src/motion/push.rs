@@ -126,7 +126,11 @@ impl Body {
         let x = if new.track.tangent.x < 0.0 { -1.0 } else { 1.0 };
         let law = footing.law(u * x, &self.control, crouched, t);
         let apart = new.track.tangent * u + other.velocity(now) - mine.velocity(now);
-        let drive = new.track.tangent * (law.accel * x) + other.accel - mine.accel;
+        let drive = match self.drops_from(new.track.normal, other.accel, t) {
+            // He would not stay on it: so he falls.
+            true => self.flight_accel(t) - mine.accel,
+            false => new.track.tangent * (law.accel * x) + other.accel - mine.accel,
+        };
         let push = on.track.tangent * on.accel + mine.accel - other.accel;
         let (away, back) = (on.track.normal.dot(apart), on.track.normal.dot(drive));
         let width = f64::from(JOINT_STEPS) * STEP;
@@ -198,10 +202,26 @@ impl Body {
         beside.flight.touching = [Some(contact.segment), before];
         (beside.contact, beside.of) = (Some(contact), None);
         self.log(kind, trace);
+        self.keep_before(i, &contact);
         if let Mode::Surface(on) = &mut self.mode
             && std::mem::take(&mut on.grip) != Grip::None
         {
             self.log(EventKind::LetGo, trace);
+        }
+    }
+
+    /// On a surface, and in a contact with another frame: where rounding of the time has put the body behind that, in front of it. From
+    /// here on its speed may be too small to explain it.
+    fn keep_before(&mut self, i: usize, contact: &Contact) {
+        let (q, w) = self.seen_from(&self.beside[i]);
+        let (height, ..) = contact.track.height(q, q, q);
+        let rounding = self.rounding_at(w.length());
+        let Mode::Surface(on) = &mut self.mode else {
+            return;
+        };
+        let back = height / contact.track.normal.dot(on.track.tangent);
+        if height < 0.0 && back.abs() <= rounding {
+            on.s0 -= back * on.track.rate();
         }
     }
 
@@ -461,11 +481,13 @@ fn spoke_of(wedge: &Wedge, mesh: Ground) -> Option<EdgeId> {
 }
 
 /// The speed of a walker who goes on from a road, where he has the speed `u`, onto another of another frame, in which his velocity
-/// is `w`: what `w` has along the second; or, where bends keep the speed, all of `u` and not only its part along that.
+/// is `w`: what `w` has along the second; or, where bends keep the speed and he walks towards it, all of `u` and not only its part
+/// along that.
 fn onward_speed(u: f64, from: &Track, onto: &Track, w: DVec2, t: &Motion) -> f64 {
     let along = onto.tangent.dot(w);
     let kept = onto.tangent.dot(from.tangent * u);
-    match t.concave == 1.0 {
+    let overtakes = onto.normal.dot(from.tangent * u) >= 0.0;
+    match t.concave == 1.0 || overtakes {
         true => along,
         false => along - kept + u.abs().copysign(kept),
     }

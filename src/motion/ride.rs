@@ -108,11 +108,16 @@ impl Body {
     /// Whether ground with this normal and acceleration falls away faster than the body would. In flight the laws of the fall and
     /// of the stick hold, so those must lead away too, lest the body comes back at once.
     pub(super) fn drops_from(&self, normal: DVec2, accel: DVec2, t: &Motion) -> bool {
-        let v = self.velocity();
-        let falls = law::fall(v.y, &self.control, t).accel;
-        let steers = law::steer(v.x, &self.control, t).accel;
+        let flight = self.flight_accel(t);
         let away = |x: f64, y: f64| normal.dot(DVec2::new(x, y) - accel) > 0.0;
-        away(0.0, -t.gravity) && away(0.0, falls) && away(steers, falls)
+        away(0.0, -t.gravity) && away(0.0, flight.y) && away(flight.x, flight.y)
+    }
+
+    /// The acceleration that the body would have in the air, m/s^2.
+    pub(super) fn flight_accel(&self, t: &Motion) -> DVec2 {
+        let v = self.velocity();
+        let steers = law::steer(v.x, &self.control, t).accel;
+        DVec2::new(steers, law::fall(v.y, &self.control, t).accel)
     }
 
     /// The motion of what carries the body: rest for the level.

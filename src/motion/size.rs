@@ -1,4 +1,5 @@
-//! Changes of size: allowed iff the mesh of the new size says that the place is free. They never shift a body.
+//! Changes of size: allowed iff the mesh of the new size says that the place is free. They shift a body by no more than a joint,
+//! before a wall.
 
 use super::air::DISPLACED;
 use super::body::{Air, Body, EventKind, Mode, Next, Size, SpawnError, Surface, Trace, Wedge};
@@ -7,7 +8,8 @@ use super::roots::exit;
 use super::terrain::{Ground, Terrain};
 use super::track::{Track, delta};
 use super::vertex::{
-    Bearing, JOINT_STEPS, Sector, face_towards, fan_ends, sector, segment_at, spokes,
+    Bearing, Heading, JOINT_STEPS, Sector, ahead, face_towards, fan_ends, sector, segment_at,
+    spokes, surface_next,
 };
 use crate::geom::{Point, STEP};
 use crate::mesh::{EdgeId, FaceId, Kind, Place, SegmentId, VertexId};
@@ -151,6 +153,30 @@ fn pieces<'a>(
     })
 }
 
+/// The parameter of a body that may stand up to a joint's width beyond the end of its piece; not behind the wall there, which for
+/// another size may begin a little before the one that has stopped it.
+fn before_wall(mesh: Ground, on: &Surface) -> f64 {
+    let [a, b] =
+        [mesh.origin(on.edge), mesh.dest(on.edge)].map(|v| on.track.parameter_of(mesh.point(v)));
+    let sign = match on.s0 {
+        s if s > a.max(b) => 1.0,
+        s if s < a.min(b) => -1.0,
+        s => return s,
+    };
+    let heading = Heading::of(sign, &on.track);
+    let wall = surface_next(mesh, on.edge, heading).and_then(|e| segment_at(mesh, e, |_| false));
+    let wall = wall.map(|s| mesh.track(s));
+    let p = on.track.position(on.s0);
+    let is_behind = |wall: &Track| {
+        wall.normal.dot(on.track.tangent * sign) < 0.0 && wall.height(p, p, p).0 < 0.0
+    };
+    wall.filter(is_behind).map_or(on.s0, |wall| {
+        let vertex = mesh.point(ahead(mesh, on.edge, heading));
+        on.track
+            .parameter_at_joint(mesh.segment(on.segment), &wall, vertex)
+    })
+}
+
 impl Body {
     /// Crouches or stands up as the control asks, if it can.
     pub(super) fn resize_as_wished(&mut self, terrain: &Terrain, trace: &mut Trace) {
@@ -200,6 +226,7 @@ impl Body {
                 if let Some(edge) = edge {
                     // What stopped the old size may not stop the new one.
                     (on.edge, on.segment, on.against) = (edge, segment, 0.0);
+                    on.s0 = before_wall(mesh, on);
                 }
                 return edge.is_some();
             }
