@@ -12,6 +12,7 @@ use super::vertex::{Bearing, JOINT_STEPS, Sector, sector, segment_at};
 use crate::geom::{Point, STEP};
 use crate::mesh::{EdgeId, SegmentId, VertexId};
 use glam::DVec2;
+use std::cmp::Ordering;
 
 /// How far a hit on a piece of a feature edge that rounding has displaced may lie from the feature edge itself, m.
 pub(super) const DISPLACED: f64 = 4.0 * STEP;
@@ -37,9 +38,11 @@ impl Air {
             let rank = |blocks: bool, e: EdgeId| {
                 (blocks, blocks && !self.leads_along(mesh, e, at), depth(e))
             };
-            if best
-                .is_none_or(|(b, stops, f)| at < b || at == b && rank(blocks, e) < rank(stops, f))
-            {
+            let goes_first = |stops: bool, f: EdgeId| match rank(blocks, e).cmp(&rank(stops, f)) {
+                Ordering::Equal => blocks && self.meets_sooner(mesh, at, e, f),
+                order => order.is_lt(),
+            };
+            if best.is_none_or(|(b, stops, f)| at < b || at == b && goes_first(stops, f)) {
                 best = Some((at, blocks, e));
             }
         }
@@ -134,6 +137,17 @@ impl Air {
         let t = self.t0 + dt;
         let [a, b] = [mesh.origin(e), mesh.dest(e)].map(|v| mesh.point(v).metres());
         (0.5 * (a + b) - self.position(t)).dot(self.velocity(t)) > 0.0
+    }
+
+    /// Of two pieces that are hit at one time, in a corner, whether the feature edge along the first is met before that along the
+    /// second, or faces up more: so that a mirrored body meets the mirrored one.
+    fn meets_sooner(&self, mesh: Ground, at: f64, e: EdgeId, f: EdgeId) -> bool {
+        let [(a, up), (b, other)] = [e, f].map(|e| {
+            let segment = segment_at(mesh, e, |_| false);
+            let up = segment.map_or(0.0, |s| mesh.track(s).normal.y);
+            (self.on_feature_edge(mesh, e, at), up)
+        });
+        a < b || a == b && up > other
     }
 
     /// Whether the body, so long after `t0`, is further beyond an end of an edge than rounding displaces. Only an edge that
