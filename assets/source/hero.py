@@ -1,10 +1,13 @@
-"""Makes assets/models/hero.glb: python hero.py, with Blender as a Python module (see README.md here)."""
+"""Makes assets/models/hero.glb: python hero.py, with Blender as a Python module (see README.md here). With --check it only tells
+whether the file is what these scripts make."""
 
 import sys
+import tempfile
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
+sys.dont_write_bytecode = True
 
 import hero_air  # noqa: E402
 import hero_gaits  # noqa: E402
@@ -22,12 +25,13 @@ EXTRAS = {
     "rise_ladder": hero_walls.LADDER.rise,
     "rise_climb_wall": hero_walls.WALL_CLIMB.rise,
     "ledge_corner": list(hero_walls.CORNER),
-    "ledge_climb_risen": hero_walls.LEDGE_RISE / KEYS_A_SECOND,
+    "ledge_climb_risen": hero_walls.LEDGE_CLIMB * hero_walls.LEDGE_RISE / KEYS_A_SECOND,
 }
 TARGET = HERE.parent / "models" / "hero.glb"
 
 
-def main():
+def build(target):
+    """Writes the model."""
     clear()
     rig = build_armature()
     _, shape = build_mesh(rig)
@@ -39,9 +43,25 @@ def main():
         if missed > clip.missed:
             print(f"{clip.name}: at key {key} a hand or foot stays {missed:.3f} m from its goal")
         key_clip(rig, clip)
-    TARGET.parent.mkdir(exist_ok=True)
-    write(rig, TARGET)
-    print(f"{TARGET.name}: {shape.triangles()} triangles, {len(clips)} clips, {TARGET.stat().st_size} bytes")
+    target.parent.mkdir(exist_ok=True)
+    write(rig, target)
+    print(f"{target.name}: {shape.triangles()} triangles, {len(clips)} clips, {target.stat().st_size} bytes")
+
+
+def check():
+    """Tells whether the model beside us is what these scripts make."""
+    with tempfile.TemporaryDirectory() as folder:
+        made = Path(folder) / TARGET.name
+        build(made)
+        same = made.read_bytes() == TARGET.read_bytes()
+    print("the same bytes" if same else f"{TARGET} is NOT what these scripts make")
+    return 0 if same else 1
+
+
+def main():
+    if sys.argv[1:] == ["--check"]:
+        sys.exit(check())
+    build(TARGET)
 
 
 if __name__ == "__main__":

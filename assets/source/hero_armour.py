@@ -62,8 +62,6 @@ def helm(shape):
         for low, row in ((.2, 0), (.43, 1), (.66, 2)):
             width = .55 - .12 * row
             decal(shape, cheek, [(.1, low), (.1 + width, low + .03), (.1 + width, low + .12), (.1, low + .10)], "head", BLACK, side)
-    scar = wrap([(1.54, .19, .152, 0), (1.475, .213, .168, 0)], 40, 75, (0.008, 0, 0))
-    decal(shape, scar, [(.1, .1), (.25, .0), (.9, .8), (.8, .95)], "head", SHADE, 1)
 
 
 def decal(shape, surface, corners, bind, paint, side):
@@ -138,11 +136,11 @@ def shoulder(size=1.0, rims=BRIGHT):
     lames = [
         ([(-.045, .118, .112, 0), (-.115, .128, .120, 0)], 1, SHADE, STEEL, {"chest": .35, "upper_arm.r": .65}),
         ([(.02, .120, .112, 0), (-.035, .136, .128, 0), (-.060, .145, .137, 0)], 2, STEEL, rims, {"chest": .5, "upper_arm.r": .5}),
-        ([(.112, .035, .03, 0), (.098, .085, .075, 0), (.048, .128, .118, 0), (.002, .146, .138, 0)], 3, STEEL, rims,
+        ([(.112, .045, .04, 0), (.074, .112, .102, 0), (.002, .146, .138, 0)], 2, STEEL, rims,
          {"chest": .7, "upper_arm.r": .3})]
     for profile, rows, paint, rim, bind in lames:
         scaled = [(h * size, a * size, b * size, s) for h, a, b, s in profile]
-        plate(shape, wrap(scaled, -28, 208, origin, axes), rows, 4, bind, paint, rim, .016, .011, SHADE if rows < 3 else None)
+        plate(shape, wrap(scaled, -28, 208, origin, axes), rows, 4, bind, paint, rim, .016, .011, SHADE)
     return shape
 
 
@@ -196,8 +194,8 @@ def leg():
     plate(shape, wrap(cop, -78, 86, knee, thigh, keel=.14), 2, 4, both, PLATE, BRASS, .014, .010)
     wing = [(.042, .07, .092, -.004), (-.036, .066, .092, -.004)]
     plate(shape, wrap(wing, 62, 138, knee, thigh), 1, 2, both, BRASS, BRASS_DARK, .012, .008)
-    greave = [(.17, .066, .064, 0), (.40, .079, .072, -.008), (.70, .062, .058, -.002), (.86, .068, .066, .0)]
-    limb(shape, knee, ankle, greave, 8, [PLATE, PLATE, STEEL], "shin.r", start_angle=0.0, caps=(False, False))
+    greave = [(.17, .066, .064, 0), (.40, .079, .072, -.008), (.70, .062, .058, -.002), (.86, .070, .067, .0)]
+    limb(shape, knee, ankle, greave, 8, [PLATE, PLATE, STEEL], "shin.r", start_angle=0.0, caps=(False, True))
     strap = [(.46, .081, .074, -.007), (.56, .076, .069, -.005)]
     limb(shape, knee, ankle, strap, 8, LEATHER, "shin.r", start_angle=0.0, caps=(False, False))
     boot(shape, ankle)
@@ -207,9 +205,9 @@ def leg():
 def boot(shape, ankle):
     """A heavy boot: heel, instep, a broad toe with a steel cap, a dark sole."""
     shaft = [oval((ankle.x + .008, y, ankle.z), (a, a * 1.05), b, 6, 0.5) for y, a, b in
-             ((.075, .062, .052), (.165, .066, .060), (.168, .05, .046))]
+             ((.075, .062, .052), (.175, .055, .048))]
     around = stops((.085, "foot.r"), (.135, "shin.r"))
-    loft(shape, shaft, [LEATHER, LEATHER_EDGE], lambda p: around(p.y))
+    loft(shape, shaft, LEATHER, lambda p: around(p.y))
     path = [  # x from the ankle, sole, top, half width
         (-.080, .006, .085, .036), (-.04, .0, .125, .050), (.02, .0, .128, .054), (.065, .0, .105, .058),
         (.115, .0, .085, .066), (.160, .017, .070, .060), (.198, .030, .052, .036)]
@@ -228,8 +226,9 @@ def boot(shape, ankle):
     shape.cap(rings[-1][::-1], LEATHER_DARK)
     cap = [(.072, .067, .062), (.118, .095, .072), (.170, .073, .066), (.203, .045, .040)]
     bands = [[shape.corner((ankle.x + x, y, ankle.z + z * share), "foot.r") for y, share in
-              ((top * .38, 1.03), (top * 1.04, .52), (top * 1.04, -.48), (top * .38, -.90))] for x, top, z in cap]
+              ((max(top * .38, (x - .115) * .42), 1.03), (top * 1.04, .52), (top * 1.04, -.48), (max(top * .38, (x - .115) * .42), -.90))] for x, top, z in cap]
     shape.skin(bands[::-1], PLATE, closed=False)
+    shape.facet(bands[-1][::-1], SHADE)
 
 
 def armour(shape):
@@ -245,5 +244,3 @@ def armour(shape):
     # The right shoulder carries the heavier plate.
     shape.add(shoulder(1.08, BRASS))
     shape.add(shoulder(0.96, BRIGHT), mirrored=True)
-    guard = [(1.285, .222, .218, -.01), (1.235, .188, .190, -.01), (1.195, .180, .180, -.01)]
-    plate(shape, wrap(guard, 48, 128), 1, 3, "chest", STEEL, BRASS, .014, .010, SHADE)

@@ -9,10 +9,10 @@ KEYS_A_SECOND = 30
 
 class Clip:
     """Channels (hero_pose) over time in keys; a loop's last key equals its first. `missed` is by how many metres a hand or
-    foot may stay from where it is asked to be."""
+    foot may stay from where it is asked to be; `clock` from the key that is played to the key that is drawn."""
 
-    def __init__(self, name, length, *channels, loop=False, missed=0.012):
-        self.name, self.length, self.loop, self.missed = name, length, loop, missed
+    def __init__(self, name, length, *channels, loop=False, missed=0.012, clock=None):
+        self.name, self.length, self.loop, self.missed, self.clock = name, length, loop, missed, clock
         self.channels = {}
         for some in channels:
             self.channels.update(some)
@@ -22,6 +22,8 @@ class Clip:
         period = self.length if self.loop else None
         if self.loop:
             key %= self.length
+        if self.clock:
+            key = self.clock(key)
         return {name: curve(keys, key, period) for name, keys in self.channels.items()}
 
     def poses(self):
@@ -99,8 +101,8 @@ class Gait:
 # Standing at ease: the left foot behind, the lantern held before him, the right hand free.
 STAND = {
     "foot.l.x": -0.10, "foot.l.z": -0.135, "foot.l.yaw": 24, "foot.r.x": 0.09, "foot.r.z": 0.125, "foot.r.yaw": -10,
-    "hips.y": -0.022, "hips.z": 0.012, "hips.yaw": 7, "hips.roll": 2, "hips.pitch": 2, "chest.yaw": 3, "chest.pitch": -2, "chest.roll": -2,
+    "hips.y": -0.026, "hips.z": 0.012, "hips.yaw": 7, "hips.roll": 2, "hips.pitch": 2, "chest.yaw": 3, "chest.pitch": -2, "chest.roll": -2,
     "head.pitch": 3, "head.yaw": -4,
-    "arm.l.swing": 30, "arm.l.out": 14, "elbow.l": 72, "arm.r.swing": -10, "arm.r.out": 15, "elbow.r": 26,
+    "arm.l.swing": 25, "arm.l.out": 16, "elbow.l": 77, "arm.r.swing": -10, "arm.r.out": 15, "elbow.r": 26,
     "hand.r.roll": 0,
 }

@@ -86,7 +86,7 @@ FOLDS = [.2, -.6, .9, -.5, .7, -.9, .4, -.8, 1.0, -.4, .6, -.2]
 
 def cape(shape):
     """A sheet with folds that grow towards a torn hem; its inside is darker."""
-    spine = [(1.225, -.135), *((PLACE[f"cape.{i}"].y, PLACE[f"cape.{i}"].x) for i in range(1, 6)), (.25, -.30), (.0, -.315)]
+    spine = [(1.225, -.135), *((PLACE[f"cape.{i}"].y, PLACE[f"cape.{i}"].x) for i in range(1, 6)), (.25, -.266), (.0, -.27)]
     def back(height):
         for (high, a), (low, b) in zip(spine, spine[1:]):
             if height >= low:
@@ -142,7 +142,7 @@ def sword(shape):
     """A short broad sword in its sheath at the left hip, the hilt forward."""
     x, y, z = PLACE["sword"]
     mouth = Vector((x, y, z))
-    along = Vector((-.80, -.58, -.10)).normalized()
+    along = Vector((-.73, -.65, -.10)).normalized()
     side = Vector((0, 0, 1))
     def flat(profile, paint, bone, caps=(True, True), count=6):
         start, end = mouth + along * profile[0][0], mouth + along * profile[-1][0]
@@ -151,7 +151,7 @@ def sword(shape):
     flat([(.0, .046, .028), (.035, .044, .026)], BRASS, "hips")
     flat([(.03, .038, .021), (.45, .030, .015)], LEATHER_DARK, "hips", (False, False))
     flat([(.20, .039, .022), (.225, .039, .022)], BRASS_DARK, "hips", (False, False))
-    flat([(.45, .034, .019), (.545, .010, .007)], BRASS, "hips")
+    flat([(.44, .034, .019), (.535, .010, .007)], BRASS, "hips")
     flat([(-.01, .030, .010), (.36, .028, .008), (.45, .004, .004)], STEEL, "sword", (False, False), 4)
     block(shape, mouth - along * .022, (.085, .013, .017), BRASS, "sword", 1.0, _hilt_axes(along, side))
     flat([(-.03, .018, .015), (-.09, .021, .018), (-.15, .016, .014)], LEATHER, "sword", (False, False))

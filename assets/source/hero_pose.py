@@ -134,8 +134,8 @@ class Solver:
         if pitch > ROLL:
             ankle += rolled @ TIP - tilted @ TIP
         self._place(thigh, Quaternion())
-        pole = self.world["hips"] @ (turn(Y, -sign * self.get(f"knee.{side}.out")) @ X)
-        self._two_bones(names, ankle, pole, -1.0)
+        hinge = self.world["hips"] @ Z
+        self._note(self._two_bones(names, ankle, hinge, -1.0, sign * self.get(f"knee.{side}.out")))
         self._place(foot, tilted)
 
     def _arm(self, side, sign):
@@ -152,31 +152,35 @@ class Solver:
         if share > 0.0:
             free = self.world[upper].copy(), self.world[fore].copy()
             goal = Vector([self.get(f"reach.{side}.{axis}") for axis in "xyz"])
-            out = self.get(f"arm.{side}.pole")
-            pole = chest @ (turn(X, -sign * out) @ (-Y * 0.7 - X * 0.7))
-            self._two_bones(names, goal, pole, 1.0)
+            missed = self._two_bones(names, goal, chest @ Z, 1.0, -sign * self.get(f"arm.{side}.pole"))
+            if share == 1.0:
+                self._note(missed)
             self._place(upper, free[0].slerp(self.world[upper], share))
             self._place(fore, free[1].slerp(self.world[fore], share))
         wrist = bend(self.get(f"{hand}.pitch"), self.get(f"{hand}.yaw"), self.get(f"{hand}.roll"))
         straighten = _straightened(fore, hand)
         self._place(hand, self.world[fore] @ straighten.inverted() @ wrist @ straighten)
 
-    def _two_bones(self, names, goal, pole, flexes):
-        """Upper and lower bone so that the end is at the goal, the joint between them towards the pole."""
+    def _two_bones(self, names, goal, hinge, flexes, out):
+        """Upper and lower bone so that the end is at the goal; by how much it is not. The joint between them flexes about the
+        hinge, that is turned out about the way to the goal."""
         first, second, end = names
         a = (PLACE[second] - PLACE[first]).length
         b = (PLACE[end] - PLACE[second]).length
         way = goal - self.at[first]
         reach = max(abs(a - b) * 1.05, min(way.length, (a + b) * STRAIGHT))
-        self.missed = max(self.missed, abs(way.length - reach))
         along = way.normalized()
-        aside = (pole - along * pole.dot(along)).normalized()
+        aside = turn(along, out) @ (along.cross(hinge) * flexes).normalized()
         alpha = acos(max(-1.0, min(1.0, (a * a + reach * reach - b * b) / (2 * a * reach))))
         upper = along * cos(alpha) + aside * sin(alpha)
         lower = (along * reach - upper * a).normalized()
         hinge = aside.cross(along).normalized() * flexes
         self._place(first, _frame(upper, hinge) @ _straightened(first, second))
         self._place(second, _frame(lower, hinge) @ _straightened(second, end))
+        return abs(way.length - reach)
+
+    def _note(self, missed):
+        self.missed = max(self.missed, missed)
 
     def local(self, joint):
         """A joint's rotation against its carrier."""

@@ -162,7 +162,7 @@ def main():
 # What he holds on to is shown: the wall before him; a ledge comes down as he climbs.
 WALL = 0.406
 WALLED = {"wall_slide", "ledge_hang", "ledge_climb", "climb_wall"}
-LEDGE = {"ledge_hang": lambda key: 1.6, "ledge_climb": lambda key: max(0.0, 1.6 * (1 - key / 9))}
+LEDGE = {"ledge_hang": lambda key: 1.6, "ledge_climb": lambda key: max(0.0, 1.6 * (1 - key / (17 * 0.7)))}
 LOOPS = "idle walk run rise fall crouch crawl wall_slide ledge_hang ladder climb_wall".split()
 
 if __name__ == "__main__":

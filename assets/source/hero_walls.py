@@ -3,12 +3,14 @@
 The wall is at WALL before the foot. Hands that hold, hold still against the wall while the body moves.
 """
 
-from hero_clip import STAND, Clip, wave
+from hero_clip import STAND, Clip, hermite, wave
 from hero_pose import curve
 
 WALL = 0.406
 # The ledge's corner while he hangs.
 CORNER = (0.4, 1.6)
+# Keys of the climb onto it, and the share of them after which he is up.
+LEDGE_CLIMB, LEDGE_RISE = 17, 0.7
 
 
 def wall_slide():
@@ -52,15 +54,20 @@ def ledge_hang():
 
 def ledge_climb():
     """Pulls up, swings the other arm and a knee over, presses the hands down to the hips, stands."""
-    n = 18
+    n, up = 18, 9
     # How high the ledge is, seen from the rising foot; the game lifts him at constant speed.
-    ledge = lambda key: CORNER[1] * max(0.0, 1.0 - key / LEDGE_RISE)  # noqa: E731
-    along = [(0, 0.4), (LEDGE_RISE * 0.8, 0.38), (LEDGE_RISE, 0.34), (13, 0.28), (n, 0.28)]
+    ledge = lambda key: CORNER[1] * max(0.0, 1.0 - key / up)  # noqa: E731
+    along = [(0, 0.4), (7, 0.38), (up, 0.34), (13, 0.28), (n, 0.28)]
+
+    def clock(key):
+        """Drawn as nine keys up and nine to stand; played with the rise as LEDGE_RISE of the whole."""
+        risen = LEDGE_CLIMB * LEDGE_RISE
+        return key * up / risen if key < risen else up + (key - risen) * (n - up) / (LEDGE_CLIMB - risen)
     grip = lambda side: (lambda key: ledge(key) + (0.36 if side else -0.015) + 0.07 * min(1.0, key / 4))  # noqa: E731
     return Clip(
-        "ledge_climb", n, STAND,
+        "ledge_climb", LEDGE_CLIMB, STAND,
         {
-            "hips.x": [(0, 0.07), (4, 0.06), (9, -0.07), (12, -0.03), (n, 0)], "hips.y": [(0, 0.06), (2, 0.0), (5, 0.04), (9, -0.22), (11, -0.24), (15, -0.05), (n, -0.022)],
+            "hips.x": [(0, 0.07), (4, 0.06), (9, -0.07), (12, -0.03), (n, 0)], "hips.y": [(0, 0.06), (2, 0.0), (5, 0.04), (9, -0.22), (11, -0.24), (15, -0.05), (n, -0.026)],
             "hips.pitch": [(0, -6), (3, 4), (6, 34), (9, 50), (12, 34), (16, 6), (n, 2)], "spine.pitch": [(0, -2), (3, 6), (8, 20), (12, 14), (n, 0)],
             "chest.pitch": [(0, -2), (4, 8), (9, 12), (14, 2), (n, -2)], "spine.roll": [(0, -6), (4, 0), (n, 0)], "chest.roll": [(0, -10), (4, 4), (9, 0), (n, -2)],
             "chest.yaw": [(0, 12), (4, -8), (9, -4), (n, 3)], "hips.roll": [(0, -4), (5, 3), (n, 2)], "hips.yaw": [(0, 10), (6, -8), (10, 0), (n, 7)],
@@ -68,8 +75,8 @@ def ledge_climb():
             "arm.r.ik": [(0, 1), (8, 1), (12.5, 0)], "reach.r.x": lambda key: curve(along, key) - 0.045, "reach.r.y": grip(0), "reach.r.z": 0.19,
             "hand.r.pitch": [(0, 62), (4, 30), (8, -40), (12, 0)], "arm.r.pole": [(0, 50), (5, 70), (9, 40)],
             "arm.r.swing": [(0, 120), (9, -20), (13, -34), (n, -10)], "arm.r.out": [(0, 15), (9, 30), (n, 15)], "elbow.r": [(0, 60), (9, 50), (13, 44), (n, 26)],
-            "arm.l.ik": [(0, 0), (3, 0.9), (4, 1), (7, 1), (11, 0)], "reach.l.x": lambda key: curve(along, key) + 0.06, "reach.l.y": grip(1), "reach.l.z": -0.19,
-            "arm.l.swing": [(0, 14), (3, 120), (8, 40), (12, 24), (n, 30)], "arm.l.out": [(0, 34), (3, 40), (9, 26), (n, 14)], "elbow.l": [(0, 52), (3, 70), (10, 60), (n, 72)],
+            "arm.l.ik": [(0, 0), (5, 1), (7, 1), (12, 0)], "reach.l.x": lambda key: curve(along, key) + 0.06, "reach.l.y": grip(1), "reach.l.z": -0.19,
+            "arm.l.swing": [(0, 14), (5, 110), (9, 50), (12, 24), (n, 25)], "arm.l.out": [(0, 34), (3, 40), (9, 26), (n, 16)], "elbow.l": [(0, 52), (5, 84), (10, 66), (n, 77)],
             "arm.l.pole": [(0, 60), (8, 50)],
             "foot.r.x": [(0, 0.17), (4, 0.10), (7, 0.0), (9, -0.08), (13, 0.10), (n, 0.09)], "foot.r.y": [(0, 0.36), (4, 0.20), (7, 0.05), (9.5, 0.07), (13, 0.0)],
             "foot.r.pitch": [(0, -24), (4, 36), (8, 70), (11, 30), (13, 0)],
@@ -77,11 +84,7 @@ def ledge_climb():
             "foot.l.pitch": [(0, 40), (4, 50), (7, 10), (9, 0)], "foot.l.z": [(0, -0.10), (5, -0.19), (n, -0.135)], "foot.r.z": 0.12,
             "knee.l.out": [(0, 6), (5, 60), (9, 30), (14, 0)], "knee.r.out": [(0, 20), (8, 16), (14, 0)],
             "lantern.swing": [(0, 0), (4, 18), (8, -20), (12, 14), (n, 0)],
-        }, missed=0.3)
-
-
-# Keys that the rise onto the ledge takes.
-LEDGE_RISE = 9.0
+        }, missed=0.3, clock=clock)
 
 
 class Climb:
@@ -97,8 +100,8 @@ class Climb:
         if phase <= self.down:
             return top - self.rise * phase, 0.0
         s = (phase - self.down) / (1 - self.down)
-        low = top - self.rise * self.down
-        return low + (top - low) * s * s * (3 - 2 * s), self.out * 4 * s * (1 - s)
+        slope = -self.rise * (1 - self.down)
+        return hermite(top - self.rise * self.down, top, slope * 0.6, slope * 0.6, s), self.out * 16 * (s * (1 - s)) ** 2
 
     def channels(self, reach, tread):
         """`reach` and `tread` are how far before the foot hands and soles are when they hold."""
@@ -110,7 +113,7 @@ class Climb:
         return made
 
 
-LADDER = Climb(24, 1.02, 0.54, 1.50, 0.44, 0.09)
+LADDER = Climb(24, 1.02, 0.54, 1.48, 0.50, 0.09)
 WALL_CLIMB = Climb(24, 0.96, 0.56, 1.47, 0.43, 0.11)
 
 
@@ -120,7 +123,7 @@ def ladder():
     return Clip(
         "ladder", n, LADDER.channels(0.27, 0.16),
         {
-            "hips.x": -0.05, "hips.y": wave(half, -0.055, 0.014, 4), "hips.z": wave(n, 0, 0.025, 18), "hips.roll": wave(n, 0, 6, 0), "hips.yaw": wave(n, 0, 7, 2),
+            "hips.x": -0.03, "hips.y": wave(half, -0.05, 0.014, 4), "hips.z": wave(n, 0, 0.025, 18), "hips.roll": wave(n, 0, 6, 0), "hips.yaw": wave(n, 0, 7, 2),
             "hips.pitch": 4, "spine.pitch": 2, "chest.roll": wave(n, 0, -11, 0), "spine.roll": wave(n, 0, -5, 0), "chest.yaw": wave(n, 0, 7, 0), "head.pitch": -14, "head.roll": wave(n, 0, -3, 2),
             "arm.r.ik": 1, "arm.l.ik": 1, "reach.r.z": 0.15, "reach.l.z": -0.15, "arm.r.pole": 60, "arm.l.pole": 60,
             "hand.r.pitch": wave(n, 50, 25, 0), "hand.l.pitch": wave(n, 50, -25, 0),
