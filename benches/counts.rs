@@ -11,7 +11,7 @@ use edgewalker::geom::{Collider, ExpandedEdge};
 use edgewalker::mesh::Mesh;
 use edgewalker::motion::{Body, Control, Terrain, Trace};
 use edgewalker::tune::Motion;
-use player::quarry;
+use player::crossing;
 use std::hint::black_box;
 use worlds::Dice;
 
@@ -32,7 +32,7 @@ fn main() {
 
 /// Half a second of running over natural slopes, or of a jump while running, at 120 Hz.
 fn steps(times: u32, jump: bool) {
-    let stage = Stage::build(quarry()).unwrap();
+    let stage = Stage::build(crossing()).unwrap();
     let tuning = Motion::default();
     let land = stage.land(&Shape::hero()).unwrap();
     let terrain: Terrain = land.terrain(&stage, &tuning);

@@ -12,7 +12,7 @@ use edgewalker::mesh::{Kind, Mesh};
 use edgewalker::motion::{Body, Control, Mode, Mover, Path, Piece, Region, Terrain, Trace, Traits};
 use edgewalker::tune::Motion;
 use glam::DVec2;
-use player::quarry;
+use player::crossing;
 use std::sync::Arc;
 
 fn main() {
@@ -21,7 +21,7 @@ fn main() {
 
 /// Steps a body again and again from the same state: `n` ticks at 120 Hz, after `warm` of them.
 fn ticks(bencher: Bencher, warm: u32, n: u32, control: Control) {
-    let stage = Stage::build(quarry()).unwrap();
+    let stage = Stage::build(crossing()).unwrap();
     let tuning = Motion::default();
     let land = stage.land(&Shape::hero()).unwrap();
     let terrain = land.terrain(&stage, &tuning);
@@ -248,8 +248,8 @@ fn lift((x, y): (i32, i32), velocity: DVec2) -> Mover {
 /// The whole golden run through the rules of the game; items are ticks.
 #[divan::bench(sample_count = 20)]
 fn ticks_of_the_golden_run(bencher: Bencher) {
-    let stage = Arc::new(Stage::build(quarry()).unwrap());
-    let replay = Replay::parse(include_str!("../tests/golden/quarry.replay.ron")).unwrap();
+    let stage = Arc::new(Stage::build(crossing()).unwrap());
+    let replay = Replay::parse(include_str!("../tests/golden/crossing.replay.ron")).unwrap();
     bencher
         .counter(ItemsCount::new(replay.ticks()))
         .bench_local(|| replay.run(Arc::clone(&stage)).unwrap().hash());
@@ -258,7 +258,7 @@ fn ticks_of_the_golden_run(bencher: Bencher) {
 /// A snapshot.
 #[divan::bench]
 fn clone_a_body(bencher: Bencher) {
-    let stage = Stage::build(quarry()).unwrap();
+    let stage = Stage::build(crossing()).unwrap();
     let tuning = Motion::default();
     let land = stage.land(&Shape::hero()).unwrap();
     let terrain = land.terrain(&stage, &tuning);
@@ -269,16 +269,16 @@ fn clone_a_body(bencher: Bencher) {
 /// A snapshot of the whole game.
 #[divan::bench]
 fn clone_a_world(bencher: Bencher) {
-    let stage = Arc::new(Stage::build(quarry()).unwrap());
-    let replay = Replay::parse(include_str!("../tests/golden/quarry.replay.ron")).unwrap();
+    let stage = Arc::new(Stage::build(crossing()).unwrap());
+    let replay = Replay::parse(include_str!("../tests/golden/crossing.replay.ron")).unwrap();
     let world = replay.run(stage).unwrap();
     bencher.bench_local(|| black_box(&world).clone());
 }
 
-/// All three meshes of the quarry: standing, crouching, outlines.
+/// All three meshes of the crossing: standing, crouching, outlines.
 #[divan::bench(sample_count = 20)]
-fn build_the_quarry(bencher: Bencher) {
+fn build_the_crossing(bencher: Bencher) {
     bencher
-        .with_inputs(quarry)
+        .with_inputs(crossing)
         .bench_local_values(|level| Stage::build(level).unwrap());
 }

@@ -374,7 +374,7 @@ mod window {
 fn a_good_level_passes_the_check() {
     let mut command = program(&[
         "--check",
-        "levels/quarry.ron",
+        "levels/dev/crossing.ron",
         "--ticks",
         "3000",
         "--seed",
@@ -382,7 +382,7 @@ fn a_good_level_passes_the_check() {
     ]);
     let out = String::from_utf8(command.output().unwrap().stdout).unwrap();
     for words in [
-        "level     levels/quarry.ron: The Drowned Quarry",
+        "level     levels/dev/crossing.ron: The Crossing",
         "meshes    3 built and checked",
         "walks     1, together 3000 ticks at 120 Hz, seed 3",
         "found     nothing wrong",

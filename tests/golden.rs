@@ -12,7 +12,7 @@ use edgewalker::game::{Input, Replay, Stage, World};
 use edgewalker::level::{self, Level};
 use edgewalker::motion::EventKind;
 use edgewalker::tune::Tuning;
-use player::{Player, WAY, quarry};
+use player::{Player, crossing, quarry, way as quarry_way};
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -56,8 +56,8 @@ fn play(replay: &Replay, stage: Arc<Stage>) -> Outcome {
 /// The player's run from start to goal, and a second more.
 fn record(stage: &Arc<Stage>) -> Replay {
     let mut player = Player::new(Arc::clone(stage), Tuning::default(), 120);
-    for &act in WAY {
-        player.act(act).unwrap();
+    for act in quarry_way() {
+        player.act(&act).unwrap();
     }
     replay_of("levels/quarry.ron", stage, &player.tuning, &player.inputs)
 }
@@ -203,6 +203,20 @@ fn a_replay_survives_its_text_and_refuses_what_it_does_not_understand() {
             .to_string()
             .contains("fingerprint")
     );
+}
+
+/// The benches and the peers play it.
+#[test]
+fn the_run_that_is_measured_reaches_its_goal() {
+    let stage = Arc::new(Stage::build(crossing()).unwrap());
+    let text = std::fs::read_to_string(file("crossing.replay.ron")).unwrap();
+    let world = Replay::parse(&text).unwrap().run(stage).unwrap();
+    assert!(
+        world.view().won_at.is_some(),
+        "it ended at {}",
+        world.view().position
+    );
+    assert_eq!(world.view().deaths, 0);
 }
 
 #[test]

@@ -1,5 +1,5 @@
 //! The quarry can be finished: a simple player runs it from start to goal. A level that only works at its limits would stop
-//! him: he also has to finish at 70 % of the speed, and with jumps 70 % as high.
+//! him: he also has to finish at 85 % of the speed, and with jumps 85 % as high.
 
 #[path = "common/player.rs"]
 mod player;
@@ -8,7 +8,7 @@ use edgewalker::game::{Input, Stage};
 use edgewalker::level::Level;
 use edgewalker::tune::Tuning;
 use glam::DVec2;
-use player::{Act, Jump, Player, Run, WAY, Walk, quarry};
+use player::{Act, Jump, Player, Run, Walk, quarry, way};
 use std::sync::Arc;
 
 /// Its name, where one lands in it, the way out, where that leads.
@@ -56,15 +56,15 @@ const POCKETS: &[Pocket] = &[
     ),
     (
         "on the wedged lintel",
-        (113.0, 7.0),
-        &[Walk(113.2), Jump(115.8)],
-        (115.8, 8.3),
+        (217.0, 7.0),
+        &[Walk(217.2), Jump(219.8)],
+        (219.8, 8.3),
     ),
     (
         "on the leaning column",
-        (119.0, 5.5),
-        &[Run(119.6), Jump(122.0)],
-        (122.0, 7.2),
+        (223.0, 5.5),
+        &[Run(223.6), Jump(226.0)],
+        (226.0, 7.2),
     ),
 ];
 
@@ -72,8 +72,14 @@ const POCKETS: &[Pocket] = &[
 fn finish(tuning: Tuning, tick_rate: u32) -> f64 {
     let stage = Arc::new(Stage::build(quarry()).unwrap());
     let mut player = Player::new(stage, tuning, tick_rate);
-    for &act in WAY {
-        player.act(act).unwrap();
+    for act in way() {
+        let done = player.act(&act);
+        let view = player.world.view();
+        println!(
+            "{:7.2} s  {:8.2} {:7.2}  {act:?}",
+            view.time, view.position.x, view.position.y
+        );
+        done.unwrap();
     }
     player
         .world
@@ -87,27 +93,27 @@ fn the_quarry_can_be_finished_at_every_tick_rate() {
     for tick_rate in [30, 60, 120, 240, 1000] {
         let seconds = finish(Tuning::default(), tick_rate);
         assert!(
-            (35.0..60.0).contains(&seconds),
+            (150.0..280.0).contains(&seconds),
             "{seconds} s at {tick_rate} Hz"
         );
     }
 }
 
 #[test]
-fn no_jump_needs_more_than_seventy_percent_of_the_speed() {
+fn no_jump_needs_more_than_85_percent_of_the_speed() {
     let mut tuning = Tuning::default();
-    tuning.motion.run_speed *= 0.7;
+    tuning.motion.run_speed *= 0.85;
     finish(tuning, 120);
 }
 
 #[test]
-fn no_jump_needs_more_than_seventy_percent_of_the_height() {
+fn no_jump_needs_more_than_85_percent_of_the_height() {
     let mut tuning = Tuning::default();
     let motion = &mut tuning.motion;
     // Up to the float at the apex under full gravity, then under its share of it.
     let height = |v: f64| (v * v - motion.apex_speed.powi(2)) / (2.0 * motion.gravity);
     let float = motion.apex_speed.powi(2) / (2.0 * motion.gravity * motion.apex_gravity);
-    let wanted = 0.7 * (height(motion.jump_speed) + float) - float;
+    let wanted = 0.85 * (height(motion.jump_speed) + float) - float;
     motion.jump_speed = (2.0 * motion.gravity * wanted + motion.apex_speed.powi(2)).sqrt();
     finish(tuning, 120);
 }
@@ -126,7 +132,7 @@ fn every_pocket_beside_the_way_can_be_left() {
         for _ in 0..120 {
             player.world.step(Input::default(), &player.tuning);
         }
-        for &act in way {
+        for act in way {
             player
                 .act(act)
                 .unwrap_or_else(|error| panic!("{name}: {error}"));

@@ -38,8 +38,8 @@ impl Quarry {
     pub fn load() -> Quarry {
         let root = concat!(env!("CARGO_MANIFEST_DIR"), "/../");
         let level =
-            level::load(format!("{root}levels/quarry.ron").as_ref()).expect("the shipped level");
-        let text = std::fs::read_to_string(format!("{root}tests/golden/quarry.replay.ron"));
+            level::load(format!("{root}levels/dev/crossing.ron").as_ref()).expect("a level of ours");
+        let text = std::fs::read_to_string(format!("{root}tests/golden/crossing.replay.ron"));
         let replay = Replay::parse(&text.expect("the recorded run")).expect("the recorded run");
         let counter_clockwise = |outline: &Vec<DVec2>| {
             let n = outline.len();
@@ -59,7 +59,7 @@ impl Quarry {
                 .map(|f| counter_clockwise(&f.outline))
                 .collect(),
             controls: replay.iter().map(|input| input.control()).collect(),
-            stage: Stage::build(level).expect("the shipped level"),
+            stage: Stage::build(level).expect("a level of ours"),
             replay,
         }
     }

@@ -36,10 +36,10 @@ struct Row {
 
 pub fn write(page: &mut Page, quick: bool) -> Recorded {
     let quarry = Quarry::load();
-    page.heading(3, "The whole recorded run of `levels/quarry.ron`");
+    page.heading(3, "The whole recorded run of `levels/dev/crossing.ron`");
     page.say(&format!(
-        "A run of {:.1} s through the shipped level, {} outlines with {} corners, recorded at 120 inputs a second \
-         (`tests/golden/quarry.replay.ron`). Edgewalker plays it with all of the game's rules. No peer has these. So each is \
+        "A run of {:.1} s through a small level of ours, {} outlines with {} corners, recorded at 120 inputs a second \
+         (`tests/golden/crossing.replay.ron`). Edgewalker plays it with all of the game's rules. No peer has these. So each is \
          put where the run is, gets the accelerations that act there (by semi-implicit Euler) and the changes of speed that jumps \
          make, and moves by itself, once for one tick and once for a second, until it is put back; the stretches on which the \
          hero crouches or hangs from a ledge are left out for them. What is compared is the position. Below 120 Hz \

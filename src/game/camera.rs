@@ -2,9 +2,11 @@
 //!
 //! It aims ahead of the motion, lets the hero jump without nodding along, and is smooth by construction:
 //! what it aims at passes two low-pass filters in a row, each solved exactly over the step. So the path does
-//! not depend on how time is cut into steps, nothing oscillates, and nothing in here can shake.
-//! Absent: collision with the level, zones, and any knowledge of the window.
+//! not depend on how time is cut into steps, nothing oscillates, and nothing in here can shake. What the level asks to be
+//! shown ([`Framing`]) is blended in: from shot to shot by shares that pass two filters as well.
+//! Absent: any knowledge of the window.
 
+use super::framing::{Aim, Framing, between, half_picture};
 use super::{Stance, View};
 use crate::tune::Camera;
 use glam::{DVec2, DVec3};
@@ -12,8 +14,20 @@ use glam::{DVec2, DVec3};
 /// The lead turns round this much more slowly than the camera follows, so that a quick turn does not swing it.
 const LEAD_RATIO: f64 = 0.5;
 
-/// Share of half the picture's height that the hero may be away from its middle, however fast he falls.
+/// Share of half the picture's height that the focus may be away from the hero, however fast he falls.
 const KEEP_IN: f64 = 0.6;
+
+/// The middle of the hero above his foot, m.
+const MIDDLE: f64 = 0.85;
+
+/// Share of half the picture that the hero may be away from its middle, whatever the speed and whatever the level asks for.
+const SEEN: f64 = 0.8;
+
+/// The last part of that way over which the picture is taken along.
+const SEEN_KNEE: f64 = 0.1;
+
+/// How fast the camera goes over from one shot of the level to another, 1/s.
+const BLEND_RATE: f64 = 2.5;
 
 /// How fast the speed may change that the camera leads by, in m/s^2: a hero who jumps off a wall shall not jerk the picture.
 const PACE_RATE: f64 = 40.0;
@@ -40,20 +54,34 @@ impl Pose {
     }
 }
 
+/// How much of the picture a shot has: what passed one filter, and what passed both.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+struct Share {
+    wished: f64,
+    shown: f64,
+}
+
 /// What the camera remembers from tick to tick.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct CameraState {
-    focus: DVec2,  // the point of the plane of play that is looked at, before `height`
-    lead: DVec2,   // how far ahead of the anchor the focus is drawn
-    anchor: DVec2, // the hero's place, without the small ups and downs of a jump
+    shares: Vec<Share>, // of each shot of the level; together 1
+    focus: DVec2,       // the point of the plane of play that is looked at, before `height`
+    lead: DVec2,        // how far ahead of the anchor the focus is drawn
+    anchor: DVec2,      // the hero's place, without the small ups and downs of a jump
     pace: f64, // the speed sideways that is led by: the hero's, but for jumps of it off a wall or into one
     last: View, // the view of the previous step
 }
 
 impl CameraState {
     /// A camera at rest on the hero.
-    pub fn new(view: &View) -> CameraState {
+    pub fn new(view: &View, framing: &Framing) -> CameraState {
+        let mut shares = vec![Share::default(); framing.count()];
+        shares[framing.shot_at(view.position)] = Share {
+            wished: 1.0,
+            shown: 1.0,
+        };
         CameraState {
+            shares,
             focus: view.position,
             lead: DVec2::ZERO,
             anchor: view.position,
@@ -62,15 +90,27 @@ impl CameraState {
         }
     }
 
+    /// Cuts to the hero, if he was put elsewhere; no memory is taken for it.
+    fn cut(&mut self, view: &View, framing: &Framing) {
+        let shot = framing.shot_at(view.position);
+        for (index, share) in self.shares.iter_mut().enumerate() {
+            let part = if index == shot { 1.0 } else { 0.0 };
+            (share.wished, share.shown) = (part, part);
+        }
+        (self.focus, self.anchor, self.lead) = (view.position, view.position, DVec2::ZERO);
+        (self.pace, self.last) = (view.velocity.x, *view);
+    }
+
     /// Follows for `dt` seconds; `look` from -1 (down) to 1 (up) is where the player asks to look.
-    pub fn step(&mut self, view: &View, look: f64, tuning: &Camera, dt: f64) {
+    pub fn step(&mut self, view: &View, look: f64, framing: &Framing, tuning: &Camera, dt: f64) {
         if view.is_cut_from(&self.last) {
-            *self = CameraState::new(view);
+            self.cut(view, framing);
             return;
         }
+        self.blend(framing.shot_at(self.last.position), dt);
         let mut before = self.anchor;
         let held = held_height(before.y, view, tuning.dead_zone_y);
-        let has_landed = self.last.stance == Stance::Air && view.stance != Stance::Air;
+        let has_landed = flies(self.last.stance) && !flies(view.stance);
         if has_landed {
             // The anchor jumps to the foot. The lead takes that up, so that the aim does not jump but drifts.
             let jump = view.position.y - held;
@@ -78,8 +118,8 @@ impl CameraState {
             before.y += jump;
         }
         self.anchor = match view.stance {
-            Stance::Air => DVec2::new(view.position.x, held),
-            Stance::Ground | Stance::Slide | Stance::Wedge | Stance::Climb => view.position,
+            Stance::Air | Stance::Slide => DVec2::new(view.position.x, held),
+            Stance::Ground | Stance::Wedge | Stance::Climb => view.position,
         };
         // Who climbs holds the same keys to get on.
         let look = match view.stance {
@@ -92,7 +132,9 @@ impl CameraState {
         let wished = asked + wished_lead(view, self.pace, self.anchor.y != before.y, tuning);
         let rates = DVec2::new(tuning.stiffness_x, tuning.stiffness_y);
         self.follow(before, wished, rates, dt);
-        self.keep_in_picture(view.position, tuning);
+        let reach = DVec2::splat(KEEP_IN * half_picture(tuning.distance, tuning).y);
+        let hero = view.position;
+        self.focus = self.focus.clamp(hero - reach, hero + reach);
         self.last = *view;
     }
 
@@ -111,23 +153,51 @@ impl CameraState {
         self.lead = wished + (self.lead - wished) * lead_fade;
     }
 
-    /// The last word: whatever the speed, the hero stays well inside the picture.
-    fn keep_in_picture(&mut self, hero: DVec2, tuning: &Camera) {
-        let half = DVec2::from_angle(tuning.field_of_view.to_radians() / 2.0);
-        let reach = DVec2::splat(KEEP_IN * tuning.distance * half.y / half.x);
-        self.focus = self.focus.clamp(hero - reach, hero + reach);
+    /// Goes over to a shot. With the wish d of a shot 1 or 0, u' = r (d - u) and w' = r (u - w) have this solution.
+    fn blend(&mut self, shot: usize, dt: f64) {
+        let (r, fade) = (BLEND_RATE, (-BLEND_RATE * dt).exp());
+        for (index, share) in self.shares.iter_mut().enumerate() {
+            let wish = if index == shot { 1.0 } else { 0.0 };
+            let (u, w) = (share.wished - wish, share.shown - wish);
+            share.wished = wish + u * fade;
+            share.shown = wish + (w + u * r * dt) * fade;
+        }
     }
 
     /// Where the picture is taken from.
-    pub fn pose(&self, tuning: &Camera) -> Pose {
-        let target = (self.focus + DVec2::new(0.0, tuning.height)).extend(0.0);
-        let eye = target + DVec3::new(0.0, tuning.tilt, tuning.distance);
+    pub fn pose(&self, framing: &Framing, tuning: &Camera) -> Pose {
+        let free = self.focus + DVec2::new(0.0, tuning.height);
+        let mut seen = Aim {
+            target: DVec2::ZERO,
+            distance: 0.0,
+        };
+        for (shot, share) in self.shares.iter().enumerate() {
+            if share.shown != 0.0 {
+                let aim = framing.aim(shot, free, tuning);
+                seen.target += aim.target * share.shown;
+                seen.distance += aim.distance * share.shown;
+            }
+        }
+        // The last word: the hero is in the picture.
+        let reach = half_picture(seen.distance, tuning) * SEEN;
+        let hero = self.last.position + DVec2::new(0.0, MIDDLE);
+        let near = |x: f64, hero: f64, reach: f64| {
+            between(x, hero - reach, hero + reach, SEEN_KNEE * reach)
+        };
+        let x = near(seen.target.x, hero.x, reach.x);
+        let y = near(seen.target.y, hero.y, reach.y);
+        let target = DVec3::new(x, y, 0.0);
         Pose {
-            eye,
+            eye: target + DVec3::new(0.0, tuning.tilt, seen.distance),
             target,
             fov_degrees: tuning.field_of_view,
         }
     }
+}
+
+/// Whether the height is not followed at once: who jumps from wall to wall shall not shake the picture.
+fn flies(stance: Stance) -> bool {
+    matches!(stance, Stance::Air | Stance::Slide)
 }
 
 /// The anchor's height in the air: it changes only when the hero leaves the dead zone about it.
@@ -139,7 +209,7 @@ fn held_height(before: f64, view: &View, dead_zone: f64) -> f64 {
 /// How far ahead of the anchor the aim should be drawn: the tuned lead, and what the filter will lag behind an even
 /// motion. Sideways always; up and down only while the height is followed, and not for the rise of a jump.
 fn wished_lead(view: &View, pace: f64, follows_height: bool, tuning: &Camera) -> DVec2 {
-    let rises = view.stance == Stance::Air && view.velocity.y > 0.0;
+    let rises = flies(view.stance) && view.velocity.y > 0.0;
     let fall = match follows_height && !rises {
         true => view.velocity.y,
         false => 0.0,
@@ -162,10 +232,16 @@ mod tests {
             stance: Stance::Ground,
             ..view(t, speed * t, speed)
         };
-        let mut camera = CameraState::new(&at(0.0));
+        let mut camera = CameraState::new(&at(0.0), &Framing::free());
         let steps = (seconds / dt).round() as u32;
         for n in 1..=steps {
-            camera.step(&at(f64::from(n) * dt), 0.0, &Camera::default(), dt);
+            camera.step(
+                &at(f64::from(n) * dt),
+                0.0,
+                &Framing::free(),
+                &Camera::default(),
+                dt,
+            );
         }
         (at(f64::from(steps) * dt), camera)
     }
@@ -176,10 +252,16 @@ mod tests {
             stance: Stance::Ground,
             ..view(0.0, DVec2::new(3.7, -1.3), DVec2::ZERO)
         };
-        let first = CameraState::new(&still);
-        let mut camera = first;
+        let first = CameraState::new(&still, &Framing::free());
+        let mut camera = first.clone();
         for _ in 0..10_000 {
-            camera.step(&still, 0.0, &Camera::default(), 1.0 / 120.0);
+            camera.step(
+                &still,
+                0.0,
+                &Framing::free(),
+                &Camera::default(),
+                1.0 / 120.0,
+            );
         }
         assert_eq!(camera, first);
     }
@@ -192,7 +274,13 @@ mod tests {
             ..moving
         };
         for _ in 0..1200 {
-            camera.step(&still, 0.0, &Camera::default(), 1.0 / 120.0);
+            camera.step(
+                &still,
+                0.0,
+                &Framing::free(),
+                &Camera::default(),
+                1.0 / 120.0,
+            );
             assert!((camera.focus.x - still.position.x).abs() < Camera::default().lead_limit);
         }
         assert!(
@@ -230,13 +318,14 @@ mod tests {
             stance: Stance::Ground,
             ..view(0.0, DVec2::ZERO, DVec2::ZERO)
         };
-        let mut camera = CameraState::new(&ground);
+        let mut camera = CameraState::new(&ground, &Framing::free());
         for n in 1..=60 {
             let t = f64::from(n) / 120.0;
             let height = 4.0 * t * (0.5 - t) * 4.0; // up 1 m and down again in half a second
             camera.step(
                 &view(t, DVec2::new(0.0, height), DVec2::ZERO),
                 0.0,
+                &Framing::free(),
                 &Camera::default(),
                 1.0 / 120.0,
             );
@@ -248,16 +337,23 @@ mod tests {
     fn a_falling_hero_stays_in_the_picture_and_a_restart_is_a_cut() {
         let fall = DVec2::new(0.0, -200.0);
         let start = view(0.0, DVec2::ZERO, fall);
-        let mut camera = CameraState::new(&start);
+        let mut camera = CameraState::new(&start, &Framing::free());
         let tuning = Camera::default();
         for n in 1..=240 {
             let t = f64::from(n) / 120.0;
-            camera.step(&view(t, fall * t, fall), 0.0, &tuning, 1.0 / 120.0);
-            assert!((camera.focus.y - fall.y * t).abs() < 0.6 * 0.4 * tuning.distance);
+            camera.step(
+                &view(t, fall * t, fall),
+                0.0,
+                &Framing::free(),
+                &tuning,
+                1.0 / 120.0,
+            );
+            let target = camera.pose(&Framing::free(), &tuning).target.y - tuning.height;
+            assert!((target - fall.y * t).abs() < 0.6 * 0.4 * tuning.distance);
         }
         let restarted = view(2.01, DVec2::ZERO, DVec2::ZERO);
-        camera.step(&restarted, 0.0, &tuning, 1.0 / 120.0);
-        assert_eq!(camera, CameraState::new(&restarted));
+        camera.step(&restarted, 0.0, &Framing::free(), &tuning, 1.0 / 120.0);
+        assert_eq!(camera, CameraState::new(&restarted, &Framing::free()));
     }
 
     #[test]
@@ -266,9 +362,15 @@ mod tests {
             stance: Stance::Ground,
             ..view(0.0, DVec2::ZERO, DVec2::ZERO)
         };
-        let mut camera = CameraState::new(&still);
+        let mut camera = CameraState::new(&still, &Framing::free());
         for _ in 0..1200 {
-            camera.step(&still, 1.0, &Camera::default(), 1.0 / 120.0);
+            camera.step(
+                &still,
+                1.0,
+                &Framing::free(),
+                &Camera::default(),
+                1.0 / 120.0,
+            );
         }
         assert!((camera.focus.y - Camera::default().look).abs() < 1e-6);
     }

@@ -5,6 +5,7 @@
 
 mod blend;
 pub mod camera;
+pub mod framing;
 mod meshes;
 mod paths;
 pub mod replay;

@@ -2,6 +2,7 @@
 
 use crate::cli::summary::Summary;
 use crate::game::camera::{CameraState, Pose};
+use crate::game::framing::Framing;
 use crate::game::{Input, Stage, View, World};
 use crate::motion::Event;
 use crate::tune::Tuning;
@@ -25,6 +26,7 @@ pub struct Play {
     pub events: u64,
     before: View,
     now: View,
+    framing: Framing,
     camera: CameraState,
     pose_before: Pose,
     pose: Pose,
@@ -36,8 +38,9 @@ impl Play {
     /// A world at its present tick.
     pub fn new(world: World, tuning: &Tuning) -> Play {
         let now = world.view();
-        let camera = CameraState::new(&now);
-        let pose = camera.pose(&tuning.camera);
+        let framing = Framing::new(&world.stage().level);
+        let camera = CameraState::new(&now, &framing);
+        let pose = camera.pose(&framing, &tuning.camera);
         let summary = Summary::new(&world);
         let trail = VecDeque::from([now.position]);
         let events = 0;
@@ -47,6 +50,7 @@ impl Play {
             events,
             before: now,
             now,
+            framing,
             camera,
             pose_before: pose,
             pose,
@@ -70,10 +74,14 @@ impl Play {
         self.camera.step(
             &self.now,
             look,
+            &self.framing,
             &tuning.camera,
             1.0 / f64::from(self.world.tick_rate()),
         );
-        self.pose_before = std::mem::replace(&mut self.pose, self.camera.pose(&tuning.camera));
+        self.pose_before = std::mem::replace(
+            &mut self.pose,
+            self.camera.pose(&self.framing, &tuning.camera),
+        );
         if self.now.is_cut_from(&self.before) {
             self.pose_before = self.pose;
             self.trail.clear();
@@ -91,6 +99,8 @@ impl Play {
         self.world.replace_stage(stage);
         self.before = self.world.view();
         self.now = self.before;
+        self.framing = Framing::new(&self.world.stage().level);
+        self.camera = CameraState::new(&self.now, &self.framing);
     }
 
     /// The view at a share (0 to 1) of the way from the last tick but one to the last.
@@ -100,7 +110,7 @@ impl Play {
 
     /// Where the picture is taken from, at such a share; the tunables of the pose act at once, paused or not.
     pub fn pose(&self, share: f64, tuning: &Tuning) -> Pose {
-        let settled = self.camera.pose(&tuning.camera);
+        let settled = self.camera.pose(&self.framing, &tuning.camera);
         if settled == self.pose {
             self.pose.since(&self.pose_before, share)
         } else {

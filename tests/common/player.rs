@@ -7,11 +7,13 @@ use edgewalker::game::{Input, Stage, Stance, View, World};
 use edgewalker::level::{self, Level};
 use edgewalker::motion::grip::Grip;
 use edgewalker::tune::Tuning;
+use glam::DVec2;
+use serde::Deserialize;
 use std::path::Path;
 use std::sync::Arc;
 
 /// What the player wants next.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug, Deserialize)]
 pub enum Act {
     /// Run at full speed until x is passed.
     Run(f64),
@@ -21,70 +23,46 @@ pub enum Act {
     Walk(f64),
     /// Jump as high as possible and come down at x.
     Jump(f64),
+    /// Go over an edge without a jump and come down at x.
+    Fall(f64),
+    /// Down through the one-way below, and come down at x.
+    Drop(f64),
+    /// Jump towards x and take hold of a ladder or vines there.
+    Mount(f64),
+    /// Up a ladder or vines to this height, or until there is ground below the feet.
+    Climb(f64),
+    /// Jump at the wall to the right (1) or left (-1), then from wall to wall, until this height is passed.
+    Kick(f64, f64),
+    /// Do nothing until the mover with this id is this far (x, y) from where it was drawn.
+    Wait(String, f64, f64),
 }
-pub use Act::{Duck, Jump, Run, Walk};
+pub use Act::{Drop, Duck, Fall, Jump, Run, Walk};
 
-/// From the camp to the gate.
-pub const WAY: &[Act] = &[
-    // Down the rim, over the broken bridge, down the benches.
-    Run(32.4),
-    Jump(37.5),
-    Run(49.0),
-    Run(54.2),
-    Jump(56.2),
-    Run(69.0),
-    // Under the Lip.
-    Duck(79.6),
-    // Up the shaft.
-    Walk(81.4),
-    Jump(83.2),
-    Walk(82.6),
-    Jump(80.4),
-    Walk(81.2),
-    Jump(84.2),
-    Walk(83.4),
-    Jump(79.9),
-    Walk(80.5),
-    Jump(84.9),
-    Walk(84.6),
-    Jump(87.4),
-    // Over the boiler and up the girder, then from stack to stack.
-    Run(88.8),
-    Jump(91.6),
-    Run(105.2),
-    Jump(110.0),
-    Run(111.1),
-    Jump(116.2),
-    Run(117.3),
-    Jump(122.0),
-    Run(124.0),
-    Jump(128.8),
-    Run(129.4),
-    Jump(134.0),
-    // The viaduct and its gap.
-    Run(145.2),
-    Jump(148.4),
-    Run(149.1),
-    Jump(155.5),
-    // Up the tower, from side to side.
-    Run(176.5),
-    Jump(179.4),
-    Walk(178.1),
-    Jump(174.6),
-    Walk(176.0),
-    Jump(180.0),
-    Walk(178.6),
-    Jump(174.0),
-    Walk(175.4),
-    Jump(180.6),
-    Walk(180.8),
-    Jump(183.4),
-    Run(191.0),
-];
+/// From the camp to the gate: what `tests/golden/quarry.way.ron` says.
+pub fn way() -> Vec<Act> {
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden/quarry.way.ron");
+    let text = std::fs::read_to_string(file).unwrap();
+    ron::from_str(&text).unwrap_or_else(|error| panic!("quarry.way.ron: {error}"))
+}
+
+/// A mover counts as being at a place when it is as near as this, m.
+const THERE: f64 = 0.05;
+
+/// The longest that an act may take, s.
+const LONGEST: f64 = 20.0;
 
 /// The level as it ships.
 pub fn quarry() -> Level {
-    level::load(&Path::new(env!("CARGO_MANIFEST_DIR")).join("levels/quarry.ron")).unwrap()
+    load("levels/quarry.ron")
+}
+
+/// The small level that nothing moves in, for measurements.
+pub fn crossing() -> Level {
+    load("levels/dev/crossing.ron")
+}
+
+fn load(file: &str) -> Level {
+    level::load(&Path::new(env!("CARGO_MANIFEST_DIR")).join(file)).unwrap()
 }
 
 fn stick(wish: f64) -> i8 {
@@ -118,7 +96,7 @@ impl Player {
     }
 
     /// Does one act; says where it ended otherwise.
-    pub fn act(&mut self, act: Act) -> Result<(), String> {
+    pub fn act(&mut self, act: &Act) -> Result<(), String> {
         let from = self.world.view();
         (self.ticks, self.flown) = (0, false);
         while let Some(input) = self.next_input(act, from.position.x) {
@@ -129,7 +107,7 @@ impl Player {
             if view.won_at.is_some() {
                 return Ok(());
             }
-            if view.deaths > from.deaths || view.time > from.time + 15.0 {
+            if view.deaths > from.deaths || view.time > from.time + LONGEST {
                 return Err(format!(
                     "{act:?} from {} ended at {} ({:?})",
                     from.position, view.position, view.stance
@@ -140,7 +118,7 @@ impl Player {
     }
 
     /// What to hold in this tick; `None` when the act is done.
-    fn next_input(&mut self, act: Act, from: f64) -> Option<Input> {
+    fn next_input(&mut self, act: &Act, from: f64) -> Option<Input> {
         let View {
             position,
             velocity,
@@ -149,41 +127,95 @@ impl Player {
         } = self.world.view();
         let grounded = matches!(stance, Stance::Ground | Stance::Wedge);
         self.flown |= !grounded;
-        let full = self.tuning.motion.run_speed;
-        if self.world.hero().grip() != Grip::None {
+        let none = Input::default();
+        if matches!(self.world.hero().grip(), Grip::Ledge | Grip::Over) {
             // At a ledge he climbs up.
-            let up = true;
-            return Some(Input {
-                up,
-                ..Input::default()
-            });
+            return Some(Input { up: true, ..none });
         }
-        match act {
+        let holds = stance == Stance::Climb || self.world.hero().grip() == Grip::Wall;
+        let full = self.tuning.motion.run_speed;
+        let steer = |x: f64| stick((x - position.x) * 5.0 / full);
+        let landed = self.flown && grounded;
+        match *act {
             Run(x) | Duck(x) => {
                 let way = (x - from).signum();
                 let input = Input {
                     run: stick(way),
                     down: matches!(act, Duck(_)),
-                    ..Input::default()
+                    ..none
                 };
                 ((x - position.x) * way > 0.0).then_some(input)
             }
             Walk(x) => {
                 let there = (x - position.x).abs() < 0.1 && velocity.x.abs() < 0.3;
-                (!there).then_some(Input {
-                    run: stick(((x - position.x) * 3.0 / full).clamp(-0.6, 0.6)),
-                    ..Input::default()
-                })
+                let run = stick(((x - position.x) * 3.0 / full).clamp(-0.6, 0.6));
+                (!there).then_some(Input { run, ..none })
             }
             Jump(x) => {
                 let falling = self.flown && velocity.y < -4.0;
-                let input = Input {
-                    run: stick((x - position.x) * 5.0 / full),
-                    jump: self.ticks > 0 && !falling,
-                    ..Input::default()
-                };
-                (!(self.flown && grounded)).then_some(input)
+                let jump = self.ticks > 0 && !falling;
+                let run = steer(x);
+                (!landed).then_some(Input { run, jump, ..none })
+            }
+            Fall(x) => (!landed).then_some(Input {
+                run: steer(x),
+                ..none
+            }),
+            Drop(x) => {
+                let through = self.flown;
+                (!landed).then_some(Input {
+                    run: if through { steer(x) } else { 0 },
+                    down: !through,
+                    jump: !through && self.ticks > 1,
+                    ..none
+                })
+            }
+            Act::Mount(x) => (!holds).then_some(Input {
+                run: steer(x),
+                jump: self.ticks > 0,
+                up: self.flown,
+                ..none
+            }),
+            Act::Climb(y) => {
+                let there = position.y >= y || (landed && self.ticks > 0);
+                (!there).then_some(Input { up: true, ..none })
+            }
+            Act::Kick(side, y) => self.kick(side, y),
+            Act::Wait(ref id, x, y) => {
+                let offset = self.offset_of(id);
+                let there = (offset - DVec2::new(x, y)).abs().max_element() < THERE;
+                (!there).then_some(none)
             }
         }
+    }
+
+    /// How far a mover is from where it was drawn.
+    fn offset_of(&self, id: &str) -> DVec2 {
+        let movers = &self.world.stage().level.movers;
+        let index = movers.iter().position(|mover| mover.id == id);
+        let index = index.unwrap_or_else(|| panic!("no mover {id:?}"));
+        let mut offsets = self.world.offsets_at(self.world.time());
+        offsets.nth(index).expect("every mover has its place")
+    }
+
+    /// Towards a wall, and off it when he slides down it.
+    fn kick(&mut self, side: f64, y: f64) -> Option<Input> {
+        let View {
+            position, stance, ..
+        } = self.world.view();
+        let held = self.inputs.last().copied().unwrap_or_default();
+        let begins = self.ticks == 0;
+        let slides = stance == Stance::Slide;
+        let (run, jump) = match (begins, slides) {
+            (true, _) => (stick(side), false),
+            (_, true) if held.jump => (held.run, false),
+            (_, true) => (-held.run, true),
+            (_, false) => (held.run, true),
+        };
+        (position.y < y).then_some(Input {
+            run,
+            jump,
+            ..Input::default()
+        })
     }
 }
