@@ -26,6 +26,21 @@ pub const TICK_RATE: u32 = 120;
 const TICK_RATES: RangeInclusive<u32> = 10..=2000;
 const SIDES: RangeInclusive<u32> = 64..=16384;
 
+/// The menus that the window can be opened with.
+pub const SCREENS: [&str; 11] = [
+    "title",
+    "levels",
+    "pause",
+    "results",
+    "settings",
+    "video",
+    "audio",
+    "controls",
+    "accessibility",
+    "credits",
+    "confirm",
+];
+
 /// The text of `--help`.
 pub const HELP: &str = "\
 Edgewalker: a side-scroller whose movement runs, exactly, on a mesh.
@@ -55,18 +70,24 @@ Window
   --fullscreen        Start in fullscreen
   --no-vsync          Do not wait for the display
   --preset NAME       How much the picture may cost: low, medium or high (default: medium)
+  --config-dir DIR    Where settings and progress are kept (default: the user's folder for that)
+  --screen NAME       Start with a menu open: title, pause, settings, video, audio, controls, accessibility, credits...
   --overlay           Start with the overlay open
   --mesh              Start with the motion mesh drawn
 
   --help, --version
 
-Keys
+Without --level, --replay, --record or --screenshot the game starts at its title. What is said here for the window holds
+for this run and is not saved.
+
+Keys, which the settings can change
   Left/Right, A/D     Run                      F1         Overlay: tunables, drawings, graphs
-  Space, Z            Jump                     P  .       Pause, single step
+  Space, Z            Jump                     P  .       Stop time, single step
   Down, S             Crouch, fast fall        [  ]       Slower, faster
   Up, W               Climb, look up           F11, Alt+Enter  Fullscreen
-  R                   Back to the start        Esc        Pause; there Esc goes on, Q quits
-Game controllers: stick or D-pad, A jump, B crouch, Back restart, Start pause, right stick looks.
+  C, Ctrl             Crouch                   R          Back to the last checkpoint
+  Esc                 Pause; menus: arrows, Enter, Esc, or the mouse
+Game controllers: stick or D-pad, A jump, B crouch, Back to the last checkpoint, Start pause, right stick looks.
 
 Exit status: 0 left by the player or nothing wrong, 1 something failed or is wrong, 2 the options make no sense.
 ";
@@ -104,10 +125,25 @@ pub struct Options {
     pub vsync: bool,
     /// How much the picture may cost; `None` if nobody said.
     pub preset: Option<Preset>,
+    /// Where settings and progress are kept; `None` for the user's folder.
+    pub config_dir: Option<PathBuf>,
+    /// The menu to start with, by its name.
+    pub screen: Option<&'static str>,
     /// Start with the overlay open.
     pub overlay: bool,
     /// Start with the mesh drawn.
     pub mesh: bool,
+}
+
+impl Options {
+    /// Whether the game starts in play, instead of at its title.
+    pub fn is_direct(&self) -> bool {
+        let asked = match &self.source {
+            Source::Replay(_) => true,
+            Source::Live { level, record, .. } => level.is_some() || record.is_some(),
+        };
+        asked || self.screenshot.is_some()
+    }
 }
 
 /// Where level and input come from.
@@ -180,6 +216,8 @@ pub fn parse(args: impl IntoIterator<Item = OsString>) -> Result<Command, UsageE
         fullscreen: given.has("fullscreen"),
         vsync: !given.has("no-vsync"),
         preset: given.preset()?,
+        config_dir: given.path("config-dir"),
+        screen: given.screen()?,
         overlay: given.has("overlay"),
         mesh: given.has("mesh"),
     }))
@@ -206,6 +244,8 @@ const VALUED: &[&str] = &[
     "at",
     "size",
     "preset",
+    "config-dir",
+    "screen",
     "tick-rate",
     "seed",
 ];
@@ -218,6 +258,8 @@ const NO_WINDOW: &[&str] = &[
     "fullscreen",
     "no-vsync",
     "preset",
+    "config-dir",
+    "screen",
     "overlay",
     "mesh",
 ];
@@ -357,6 +399,20 @@ impl Given {
                 "--size: `{text}` is not WIDTHxHEIGHT with sides from {} to {}",
                 SIDES.start(),
                 SIDES.end()
+            )),
+        }
+    }
+
+    fn screen(&self) -> Result<Option<&'static str>, UsageError> {
+        let Some(value) = self.value("screen") else {
+            return Ok(None);
+        };
+        let text = value.to_string_lossy();
+        match SCREENS.iter().find(|name| **name == text) {
+            Some(name) => Ok(Some(name)),
+            None => usage(format!(
+                "--screen: `{text}` is none of {}",
+                SCREENS.join(", ")
             )),
         }
     }

@@ -214,6 +214,7 @@ impl Chaos {
                 down: word & 48 == 48,
                 up: word & 64 != 0,
                 retry: false,
+                ..Input::default()
             };
         }
         if tick % 40 == 20 {

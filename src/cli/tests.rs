@@ -23,6 +23,7 @@ fn nothing_asked_is_the_default_game() {
         ..
     } = options("");
     assert!(vsync && size.is_none() && screenshot.is_none());
+    assert!(!options("").is_direct());
     let live = Source::Live {
         level: None,
         tuning: None,
@@ -48,6 +49,13 @@ fn every_option_arrives() {
     assert_eq!(all.source, live);
     assert!(
         all.size == Some((800, 600)) && !all.vsync && all.mesh && !all.overlay && !all.fullscreen
+    );
+    assert!(all.is_direct() && options("--record r").is_direct());
+    let kept = options("--config-dir c --screen video");
+    assert!(!kept.is_direct());
+    assert_eq!(
+        (kept.config_dir, kept.screen),
+        (Some("c".into()), Some("video"))
     );
     let shot = options("--replay r --screenshot s.png --at 12 --overlay");
     assert_eq!(shot.source, Source::Replay("r".into()));
@@ -88,6 +96,10 @@ fn help_names_every_option() {
 #[test]
 fn nonsense_is_refused_with_the_reason() {
     for (text, message) in [
+        (
+            "--screen shop",
+            "--screen: `shop` is none of title, levels, pause, results, settings, video, audio, controls, accessibility, credits, confirm",
+        ),
         ("--speed 3", "unknown option --speed"),
         ("-x", "unknown option -x"),
         ("level.ron", "unexpected argument `level.ron`"),

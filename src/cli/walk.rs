@@ -59,7 +59,7 @@ impl Player {
                 jump: self.one_in(2),
                 down: self.one_in(6),
                 up: self.one_in(4),
-                retry: false,
+                ..Input::default()
             };
         }
         self.left -= 1;

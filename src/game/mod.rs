@@ -10,12 +10,14 @@ mod meshes;
 mod paths;
 pub mod replay;
 mod rules;
+mod run;
 mod snapshot;
 mod stage;
 mod world;
 
 pub use meshes::{Meshes, Shape};
 pub use replay::{Replay, ReplayError};
+pub use run::Run;
 pub use snapshot::{RestoreError, Snapshot};
 pub use stage::{Edit, EditError, Land, Stage, StageError};
 pub use world::{Actor, AddError, World};
@@ -38,6 +40,14 @@ pub struct Input {
     pub up: bool,
     /// Back to the start, at once.
     pub retry: bool,
+    /// Back to the last checkpoint, at once, in every tick that asks for it. That counts as a death.
+    #[serde(skip_serializing_if = "is_false")]
+    pub respawn: bool,
+}
+
+/// Recordings without it stay as they were.
+fn is_false(value: &bool) -> bool {
+    !value
 }
 
 /// What the hero is doing, for pictures and sounds.

@@ -167,7 +167,7 @@ impl World {
 
     /// Puts the hero at the last checkpoint, or if that is not free at the start. If an edit has closed that too, he stays.
     /// What is held goes on to count, from this very time.
-    fn come_back(&mut self, at: f64) {
+    pub(super) fn come_back(&mut self, at: f64) {
         let checkpoint = self.state.checkpoint.and_then(|id| self.stage.feature(id));
         let places = [
             checkpoint.and_then(|feature| feature.respawn),

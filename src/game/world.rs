@@ -85,7 +85,7 @@ impl World {
         }
         if input.retry && !self.state.retry {
             self.restart();
-        } else if self.is_doomed() {
+        } else if input.respawn || self.is_doomed() {
             self.die(self.time());
         }
         self.state.retry = input.retry;

@@ -2,17 +2,22 @@
 
 use super::clock::{FrameLimiter, TickClock};
 use super::edits::Edit;
+use super::front::Front;
+use super::hud::Hud;
 use super::input::{Action, Controls};
+use super::menu::Screen;
 use super::notices::{Notices, Topic};
 use super::overlay::Overlay;
 use super::overlay::scene::MeshPicture;
 use super::overlay::stats::Stats;
-use super::platform::{Platform, WindowOptions};
+use super::platform::Platform;
 use super::play::Play;
 use super::reload::{Timer, Watch};
 use super::render::Renderer;
 use super::runs::{Feed, Recorder};
-use super::{ShellError, capture, levels};
+use super::settings::Settings;
+use super::text::{Pass, Text};
+use super::{ShellError, capture, levels, liking};
 use crate::cli::{Options, files};
 use crate::tune::Tuning;
 use sdl2::event::{Event, EventSender, WindowEvent};
@@ -24,8 +29,9 @@ const SHADERS: &str = "shaders";
 /// Time per frame without vsync by wish, and of a window that nobody looks at.
 const FREE_FRAME: Duration = Duration::from_micros(4000);
 const IDLE_FRAME: Duration = Duration::from_millis(33);
-/// Frames after which ImGui's windows have found their sizes.
+/// Frames after which ImGui's windows have found their sizes, and seconds after which a menu has come to rest.
 const SETTLE_FRAMES: usize = 3;
+const SETTLE_TIME: f32 = 1.0;
 
 /// The running game.
 pub struct App {
@@ -37,6 +43,9 @@ pub struct App {
     pub overlay: Overlay,
     /// Keys and controllers.
     pub controls: Controls,
+    /// The menus, the settings, and what has been reached.
+    pub front: Front,
+    pub(super) hud: Hud,
     // The run: where its inputs come from and go to, and what it depends on beside them.
     pub(super) feed: Feed,
     pub(super) recorder: Option<Recorder>,
@@ -57,7 +66,8 @@ pub struct App {
     pub(super) stats: Stats,
     pub(super) mesh_pictures: [MeshPicture; 2], // of the standing and of the crouched hero
     pub(super) renderer: Renderer,
-    wants_vsync: bool,
+    pub(super) text: Text,
+    pub(super) text_pass: Pass,
     focused: bool,
     pub(super) platform: Platform,
 }
@@ -68,21 +78,13 @@ impl App {
     /// # Errors
     /// A file is missing or broken, or there is no window with OpenGL 3.3.
     pub fn open(options: &Options) -> Result<App, ShellError> {
-        let start = super::runs::prepare(options)?;
-        let Options {
-            size,
-            fullscreen,
-            vsync,
-            ..
-        } = *options;
-        let platform = Platform::open(&WindowOptions {
-            size,
-            fullscreen,
-            vsync,
-        })?;
+        let mut start = super::runs::prepare(options)?;
+        let front = liking::prepare(options, &mut start.notices);
+        let platform = Platform::open(&liking::window(&front.live))?;
         let shader_files = Watch::new(&files::find(Path::new(SHADERS)));
         let mut renderer = Renderer::new(platform.gl.clone(), shader_files.path())?;
-        renderer.set_preset(options.preset.unwrap_or_default())?;
+        renderer.set_preset(front.live.video.preset.unwrap_or_default())?;
+        let text_pass = Pass::new(platform.gl.clone(), shader_files.path())?;
         let mut overlay = Overlay::new(&platform)?;
         overlay.open = options.overlay;
         overlay.show.mesh = options.mesh;
@@ -98,6 +100,8 @@ impl App {
             notices: start.notices,
             overlay,
             controls: Controls::default(),
+            front,
+            hud: Hud::default(),
             paused: false,
             scale: 1.0,
             quit: false,
@@ -107,12 +111,38 @@ impl App {
             stats: Stats::default(),
             mesh_pictures: Default::default(),
             renderer,
-            wants_vsync: vsync,
+            text: Text::new()?,
+            text_pass,
             focused: true,
             platform,
         };
         app.show_stage();
+        let Settings {
+            controls,
+            accessibility,
+            ..
+        } = app.settings().clone();
+        app.controls.set(&controls, accessibility.crouch);
+        app.open_first_menu(options);
         Ok(app)
+    }
+
+    /// The title, unless the game starts in play; then the menu that was asked for.
+    fn open_first_menu(&mut self, options: &Options) {
+        let asked = options.screen.and_then(Screen::named);
+        match asked {
+            Some(Screen::Pause) => self.open_pause(),
+            Some(Screen::Results) => {
+                self.front.facts.results = Some(self.results(&self.play.world.view()));
+                self.open_menu(Screen::Results);
+            }
+            Some(screen) => {
+                self.open_menu(Screen::Title);
+                self.front.menu.enter(screen);
+            }
+            None if !options.is_direct() => self.open_menu(Screen::Title),
+            None => {}
+        }
     }
 
     /// Plays until the game is left, then writes the recording and says what the run came to.
@@ -126,12 +156,17 @@ impl App {
 
     /// The loop: frames, until somebody quits.
     fn play_on(&mut self) -> Result<(), ShellError> {
-        let mut limiter = FrameLimiter::new(self.platform.vsync);
+        let mut vsync = self.platform.vsync;
+        let mut limiter = FrameLimiter::new(vsync);
         let mut last = Instant::now();
         while !self.quit {
             let now = Instant::now();
             self.frame(now - last)?;
             last = now;
+            if vsync != self.platform.vsync {
+                vsync = self.platform.vsync;
+                limiter = FrameLimiter::new(vsync);
+            }
             let (shown, wanted) = (self.platform.frame_time(), self.frame_time());
             let wait = limiter.wait(now.elapsed(), shown, wanted);
             if !wait.is_zero() {
@@ -146,6 +181,7 @@ impl App {
     /// # Errors
     /// The recording cannot be written.
     pub fn finish(&mut self) -> Result<(), ShellError> {
+        self.save_all();
         let written = self.recorder.take().map(Recorder::write).transpose()?;
         let mut out = std::io::stdout().lock();
         let said = writeln!(out, "{}", self.play.summary).and_then(|()| match written {
@@ -163,12 +199,14 @@ impl App {
     pub fn frame(&mut self, elapsed: Duration) -> Result<(), ShellError> {
         self.stats.frame.push(elapsed.as_secs_f32() * 1000.0);
         self.notices.advance(elapsed);
+        self.front.heard.clear();
         if self.disk.is_due(elapsed) {
             self.reload_changed();
         }
         self.poll_events();
+        self.advance_front(elapsed);
         self.advance(elapsed);
-        let edits = self.draw()?;
+        let edits = self.draw(elapsed.as_secs_f32())?;
         self.platform.window.gl_swap_window();
         edits.into_iter().for_each(|edit| self.apply(edit));
         Ok(())
@@ -183,6 +221,7 @@ impl App {
         let span = Duration::from_secs(1) / self.play.world.tick_rate();
         while self.play.world.tick() < at {
             self.notices.advance(span);
+            self.advance_front(span);
             if !self.tick() {
                 let end = self.play.world.tick();
                 return Err(ShellError::Replay(format!(
@@ -192,10 +231,11 @@ impl App {
         }
         self.clock.settle();
         let size = self.platform.pixels();
+        self.front.menu.advance(SETTLE_TIME);
         for _ in 0..SETTLE_FRAMES {
             // The window system wants its events taken, but none of them may pause the picture.
             while self.platform.events.poll_event().is_some() {}
-            self.draw()?;
+            self.draw(SETTLE_TIME)?;
         }
         let pixels = self.renderer.read_pixels(size);
         Ok(capture::write_png(file, size, &pixels)?)
@@ -220,14 +260,22 @@ impl App {
                     ..
                 } => self.focused = true,
                 Event::ControllerDeviceAdded { which, .. } => self.connect(*which),
-                _ => {
-                    if let Some(action) = self.controls.handle(&event, self.overlay.typing()) {
-                        self.act(action);
-                    }
-                }
+                _ => self.hand_on(&event),
             }
         }
         self.platform.take_text(self.overlay.typing());
+    }
+
+    /// An event of keys, controllers or the mouse: to the menu that is open, or to the hero.
+    fn hand_on(&mut self, event: &Event) {
+        let typing = self.overlay.typing();
+        let in_menu = self.front.is_open() && !typing;
+        if in_menu {
+            self.menu_event(event);
+        }
+        if let Some(action) = self.controls.handle(event, typing || in_menu) {
+            self.act(action);
+        }
     }
 
     /// A controller was plugged in; SDL announces it by its place in the list of devices.
@@ -246,7 +294,7 @@ impl App {
         self.focused = false;
         self.controls.release_all();
         self.overlay.release_all();
-        self.pause(true);
+        self.open_pause();
     }
 
     /// What a key asks for depends on how things are.
@@ -254,12 +302,12 @@ impl App {
         match action {
             Action::Overlay => self.apply(Edit::Overlay(!self.overlay.open)),
             Action::Fullscreen => self.apply(Edit::Fullscreen),
-            Action::Pause => self.apply(Edit::Pause(!self.paused)),
+            Action::Pause if self.paused => self.apply(Edit::Pause(false)),
+            Action::Pause => self.open_pause(),
+            Action::Hold => self.apply(Edit::Pause(!self.paused)),
             Action::Step => self.apply(Edit::Step),
             Action::Slower => self.change_speed(0.5),
             Action::Faster => self.change_speed(2.0),
-            Action::Quit if self.paused => self.apply(Edit::Quit),
-            Action::Quit => {}
         }
     }
 
@@ -277,7 +325,7 @@ impl App {
         if self.paused {
             return;
         }
-        let due = self.clock.advance(elapsed, self.scale);
+        let due = self.clock.advance(elapsed, self.speed());
         let begin = Instant::now();
         let events = self.play.events;
         let done = (0..due).take_while(|_| self.tick()).count();
@@ -303,6 +351,7 @@ impl App {
         }
         let deaths = self.play.world.view().deaths;
         self.play.tick(input, self.controls.look(), &self.tuning);
+        self.note_tick();
         if self.play.world.view().deaths != deaths {
             let place = match self.play.world.checkpoint() {
                 Some(_) => "checkpoint",
@@ -311,6 +360,11 @@ impl App {
             self.notices.say(format!("Back at the {place}"));
         }
         true
+    }
+
+    /// Whether somebody has asked to leave.
+    pub fn has_quit(&self) -> bool {
+        self.quit
     }
 
     /// A way to send events to the game as if from outside.
@@ -335,7 +389,8 @@ impl App {
             self.reload_level();
         }
         if self.shader_files.changed() {
-            match self.renderer.reload_shaders() {
+            let reloaded = self.renderer.reload_shaders();
+            match reloaded.and_then(|()| self.text_pass.reload_shaders()) {
                 Ok(()) => self.notices.solve(Topic::Shaders),
                 Err(error) => self.notices.fail(Topic::Shaders, error),
             }
@@ -344,16 +399,10 @@ impl App {
 
     /// How often a frame is enough.
     fn frame_time(&self) -> Duration {
-        match (self.focused, self.wants_vsync) {
+        match (self.focused, self.front.live.video.vsync) {
             (false, _) => IDLE_FRAME,
-            (true, true) => self.platform.frame_time(),
-            (true, false) => FREE_FRAME,
-        }
-    }
-
-    pub(super) fn toggle_fullscreen(&mut self) {
-        if let Err(reason) = self.platform.toggle_fullscreen() {
-            self.notices.fail(Topic::Device, reason);
+            (true, true) => self.capped(self.platform.frame_time()),
+            (true, false) => self.capped(FREE_FRAME),
         }
     }
 }

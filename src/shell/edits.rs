@@ -1,6 +1,7 @@
 //! What the overlay, its keys and the tests may ask of the running game: plain values, applied in one place.
 
 use super::app::App;
+use super::menu::Screen;
 use super::notices::Topic;
 use super::play::Play;
 use super::reload::Watch;
@@ -173,6 +174,8 @@ impl App {
                 self.play = Play::new(World::new(stage, tick_rate, self.seed), &self.tuning);
                 self.level_file = level_file;
                 self.feed = Feed::Player;
+                self.front.leave_run();
+                self.hud.begin();
                 self.notices.solve(Topic::Level);
                 self.enter_stage();
             }
@@ -194,7 +197,7 @@ impl App {
     }
 
     /// What is left to do when the world has another stage.
-    fn enter_stage(&mut self) {
+    pub(super) fn enter_stage(&mut self) {
         self.show_stage();
         if let Some(recorder) = &mut self.recorder
             && recorder.end("the level was changed")
@@ -208,8 +211,13 @@ impl App {
     pub(super) fn pause(&mut self, paused: bool) {
         if paused {
             self.clock.settle();
-        } else if self.feed.is_over() {
-            self.feed = Feed::Player;
+        } else {
+            if self.feed.is_over() {
+                self.feed = Feed::Player;
+            }
+            if self.front.menu.root() == Some(Screen::Pause) {
+                self.front.menu.close();
+            }
         }
         self.paused = paused;
     }

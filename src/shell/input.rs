@@ -3,7 +3,9 @@
 //! Held keys are remembered here from events, never polled: so a tap between two ticks is not lost, and whoever
 //! takes the keyboard away (a text field, another window) can have all of them let go.
 
-use super::pads::Pads;
+use super::menu::prompts::Device;
+use super::pads::{Change, Pads};
+use super::settings::{Bindings, Deed, Hands, Hold};
 use crate::game::Input;
 use sdl2::event::Event;
 use sdl2::keyboard::{Mod, Scancode};
@@ -15,53 +17,26 @@ pub enum Action {
     Overlay,
     /// Into fullscreen or out of it.
     Fullscreen,
-    /// Pause, or go on.
+    /// Open the pause menu.
     Pause,
+    /// Stop time to look at the scene, or let it run.
+    Hold,
     /// One tick, paused.
     Step,
     /// Half as fast.
     Slower,
     /// Twice as fast.
     Faster,
-    /// Leave, if paused.
-    Quit,
 }
-
-/// What a key does to the hero.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Held {
-    Left,
-    Right,
-    Up,
-    Down,
-    Jump,
-    Retry,
-}
-
-/// Keys by their place on the keyboard, so that they lie the same on every layout.
-const HERO_KEYS: &[(Scancode, Held)] = &[
-    (Scancode::Left, Held::Left),
-    (Scancode::A, Held::Left),
-    (Scancode::Right, Held::Right),
-    (Scancode::D, Held::Right),
-    (Scancode::Up, Held::Up),
-    (Scancode::W, Held::Up),
-    (Scancode::Down, Held::Down),
-    (Scancode::S, Held::Down),
-    (Scancode::Space, Held::Jump),
-    (Scancode::Z, Held::Jump),
-    (Scancode::R, Held::Retry),
-];
 
 const ACTION_KEYS: &[(Scancode, Action)] = &[
     (Scancode::F1, Action::Overlay),
     (Scancode::F11, Action::Fullscreen),
     (Scancode::Escape, Action::Pause),
-    (Scancode::P, Action::Pause),
+    (Scancode::P, Action::Hold),
     (Scancode::Period, Action::Step),
     (Scancode::LeftBracket, Action::Slower),
     (Scancode::RightBracket, Action::Faster),
-    (Scancode::Q, Action::Quit),
 ];
 
 /// Keys that work even while a text field has the keyboard: nobody types them.
@@ -70,10 +45,15 @@ const ALWAYS: &[Scancode] = &[Scancode::F1, Scancode::F11];
 /// The state of all input devices, between ticks.
 #[derive(Default)]
 pub struct Controls {
+    bindings: Bindings,
+    crouch: Hold,
     keys: Vec<Scancode>, // held, in the order in which they went down
     pads: Pads,
     jump: Tap,
-    retry: bool, // asked for since the last tick
+    toggled: bool, // crouching until it is pressed again
+    retry: bool,   // asked for since the last tick
+    respawn: bool, // likewise
+    device: Device,
 }
 
 /// A button whose shortest taps and gaps are seen by one tick each.
@@ -98,9 +78,19 @@ impl Tap {
 }
 
 impl Controls {
+    /// What does what from now on, and how crouching works.
+    pub fn set(&mut self, hands: &Hands, crouch: Hold) {
+        self.bindings = hands.bindings.clone();
+        self.crouch = crouch;
+        self.toggled = false;
+        self.pads
+            .set_dead_zones(hands.move_dead_zone, hands.look_dead_zone);
+    }
+
     /// Takes note of an event; says what was asked for beside the hero's input.
-    /// `typing`: something else has the keyboard.
+    /// `typing`: something else has the keyboard and the buttons.
     pub fn handle(&mut self, event: &Event, typing: bool) -> Option<Action> {
+        self.note_device(event);
         match *event {
             Event::KeyDown {
                 scancode: Some(code),
@@ -113,31 +103,58 @@ impl Controls {
                 ..
             } => {
                 self.keys.retain(|held| *held != code);
-                self.jump.released |= bound(code) == Some(Held::Jump);
+                self.jump.released |= self.does(code, Deed::Jump);
                 None
             }
             _ => {
-                let change = self.pads.handle(event);
-                self.jump.pressed |= change.jump_down;
-                self.jump.released |= change.jump_up;
-                self.retry |= change.retry;
-                change.action
+                let change = self.pads.handle(event, typing);
+                self.button(change)
             }
         }
     }
 
-    /// A key may both move the hero and ask for something.
-    fn key_down(&mut self, code: Scancode, keymod: Mod, typing: bool) -> Option<Action> {
-        if typing && !ALWAYS.contains(&code) {
-            return None;
+    /// What a change of a controller means.
+    fn button(&mut self, change: Change) -> Option<Action> {
+        match change {
+            Change::None => None,
+            Change::Down(sdl2::controller::Button::Start) => Some(Action::Pause),
+            Change::Down(button) => {
+                for deed in Deed::ALL {
+                    if self.bindings.button(deed) == Some(button) {
+                        self.press(deed);
+                    }
+                }
+                None
+            }
+            Change::Up(button) => {
+                self.jump.released |= self.bindings.button(Deed::Jump) == Some(button);
+                None
+            }
+            Change::Gone => {
+                self.jump.released = true;
+                None
+            }
         }
+    }
+
+    /// A key may both move the hero and ask for something, unless it was given to the hero by hand.
+    fn key_down(&mut self, code: Scancode, keymod: Mod, typing: bool) -> Option<Action> {
         if code == Scancode::Return && keymod.intersects(Mod::LALTMOD | Mod::RALTMOD) {
             return Some(Action::Fullscreen);
         }
-        if let Some(held) = bound(code) {
+        if typing && !ALWAYS.contains(&code) {
+            return None;
+        }
+        let mut is_bound = false;
+        for deed in Deed::ALL {
+            if self.does(code, deed) {
+                is_bound = true;
+                self.press(deed);
+            }
+        }
+        if is_bound {
             self.keys.push(code);
-            self.jump.pressed |= held == Held::Jump;
-            self.retry |= held == Held::Retry;
+            return None;
         }
         ACTION_KEYS
             .iter()
@@ -145,76 +162,125 @@ impl Controls {
             .map(|(_, action)| *action)
     }
 
+    /// What counts at the moment in which something goes down.
+    fn press(&mut self, deed: Deed) {
+        match deed {
+            Deed::Jump => {
+                self.jump.pressed = true;
+                self.toggled = false;
+            }
+            Deed::Up => self.toggled = false,
+            Deed::Crouch if self.crouch == Hold::Toggle => self.toggled = !self.toggled,
+            Deed::Retry => {
+                self.respawn = true;
+                self.toggled = false;
+            }
+            _ => {}
+        }
+    }
+
+    /// Which device was used last.
+    fn note_device(&mut self, event: &Event) {
+        match *event {
+            Event::KeyDown { .. } | Event::MouseMotion { .. } | Event::MouseButtonDown { .. } => {
+                self.device = Device::Keys;
+            }
+            _ => {
+                if let Some(make) = self.pads.used(event) {
+                    self.device = Device::Pad(make);
+                }
+            }
+        }
+    }
+
+    /// The device that was used last.
+    pub fn device(&self) -> Device {
+        self.device
+    }
+
+    /// Takes this for the device that was used last, for pictures.
+    pub fn pretend(&mut self, device: Device) {
+        self.device = device;
+    }
+
     /// Connects a game controller that SDL has announced.
     pub fn pads(&mut self) -> &mut Pads {
         &mut self.pads
     }
 
-    /// Asks for a restart, as its key does.
+    /// Asks for a restart of the level.
     pub fn ask_retry(&mut self) {
         self.retry = true;
     }
 
-    /// Whether a restart was asked for since the last tick.
+    /// Asks to go back to the last checkpoint, as its key does.
+    pub fn ask_respawn(&mut self) {
+        self.respawn = true;
+    }
+
+    /// Whether a restart was asked for since the last tick, of the level or from the last checkpoint.
     pub fn wants_retry(&self) -> bool {
-        self.retry
+        self.retry || self.respawn
     }
 
     /// Lets go of every key and button.
     pub fn release_all(&mut self) {
         self.release_keys();
         self.pads.release_all();
-        self.retry = false;
+        (self.retry, self.respawn, self.toggled) = (false, false, false);
         self.jump.pressed = false;
     }
 
     /// Lets go of every key.
     pub fn release_keys(&mut self) {
-        self.jump.released |= self.holds(Held::Jump);
+        self.jump.released |= self.holds(Deed::Jump);
         self.keys.clear();
     }
 
     /// The input of the next tick.
     pub fn take(&mut self) -> Input {
-        let jump = self.holds(Held::Jump) || self.pads.jump();
+        let jump = self.holds(Deed::Jump);
+        let crouches = self.toggled || self.crouch == Hold::Hold && self.holds(Deed::Crouch);
         Input {
             run: self.run(),
             jump: self.jump.take(jump),
-            down: self.holds(Held::Down) || self.pads.down(),
-            up: self.holds(Held::Up) || self.pads.up(),
+            down: crouches || self.holds(Deed::Down) || self.pads.pushed_down(),
+            up: self.holds(Deed::Up) || self.pads.pushed_up(),
             retry: std::mem::take(&mut self.retry),
+            respawn: std::mem::take(&mut self.respawn),
         }
     }
 
     /// Where the player wants to look, from -1 (down) to 1 (up).
     pub fn look(&self) -> f64 {
-        if self.holds(Held::Up) {
+        if self.keys.iter().any(|key| self.does(*key, Deed::Up)) {
             1.0
         } else {
             self.pads.look()
         }
     }
 
-    fn holds(&self, what: Held) -> bool {
-        self.keys.iter().any(|key| bound(*key) == Some(what))
+    fn does(&self, key: Scancode, deed: Deed) -> bool {
+        self.bindings.keys(deed).contains(&Some(key))
     }
 
-    /// The keyboard before the stick, and of two opposite keys the later one.
+    fn holds(&self, deed: Deed) -> bool {
+        let button = self.bindings.button(deed);
+        self.keys.iter().any(|key| self.does(*key, deed))
+            || button.is_some_and(|button| self.pads.holds(button))
+    }
+
+    /// The keyboard before the controllers, and of two opposite keys the later one.
     fn run(&self) -> i8 {
-        let last = self.keys.iter().rev().find_map(|key| match bound(*key) {
-            Some(Held::Left) => Some(-127),
-            Some(Held::Right) => Some(127),
-            _ => None,
-        });
-        last.unwrap_or_else(|| self.pads.run())
+        let way = |key: &Scancode| match () {
+            () if self.does(*key, Deed::Left) => Some(-127),
+            () if self.does(*key, Deed::Right) => Some(127),
+            () => None,
+        };
+        let last = self.keys.iter().rev().find_map(way);
+        let buttons = [Deed::Left, Deed::Right].map(|deed| self.bindings.button(deed));
+        last.unwrap_or_else(|| self.pads.run(buttons))
     }
-}
-
-fn bound(code: Scancode) -> Option<Held> {
-    HERO_KEYS
-        .iter()
-        .find(|(key, _)| *key == code)
-        .map(|(_, held)| *held)
 }
 
 #[cfg(test)]
@@ -254,6 +320,45 @@ mod tests {
     }
 
     #[test]
+    fn keys_do_what_they_are_given_and_what_they_are_given_asks_for_nothing_else() {
+        let mut hands = Hands::default();
+        assert!(hands.bindings.set_key(Deed::Jump, 0, Some(Scancode::P)));
+        let mut controls = Controls::default();
+        assert_eq!(
+            controls.handle(&key(Scancode::P, true), false),
+            Some(Action::Hold)
+        );
+        controls.set(&hands, Hold::Hold);
+        assert_eq!(controls.handle(&key(Scancode::P, true), false), None);
+        assert!(controls.take().jump);
+        assert_eq!(
+            controls.handle(&key(Scancode::Escape, true), false),
+            Some(Action::Pause)
+        );
+    }
+
+    #[test]
+    fn crouching_is_held_or_toggled() {
+        let mut held = controls(&[(Scancode::C, true)]);
+        assert!(held.take().down);
+        held.handle(&key(Scancode::C, false), false);
+        assert!(!held.take().down);
+        let mut toggled = Controls::default();
+        toggled.set(&Hands::default(), Hold::Toggle);
+        let mut tap = |code| {
+            toggled.handle(&key(code, true), false);
+            toggled.handle(&key(code, false), false);
+            toggled.take().down
+        };
+        assert_eq!(
+            [Scancode::C, Scancode::C, Scancode::C].map(&mut tap),
+            [true, false, true]
+        );
+        assert!(!tap(Scancode::Space), "a jump ends it");
+        assert!(tap(Scancode::C) && !tap(Scancode::R), "so does going back");
+    }
+
+    #[test]
     fn of_two_opposite_keys_the_later_one_counts() {
         let mut both = controls(&[(Scancode::A, true), (Scancode::Right, true)]);
         assert_eq!(both.take().run, 127);
@@ -279,10 +384,10 @@ mod tests {
     }
 
     #[test]
-    fn retry_is_asked_for_once_per_press() {
-        let mut retry = controls(&[(Scancode::R, true)]);
-        assert!(retry.take().retry);
-        assert!(!retry.take().retry);
+    fn going_back_is_asked_for_once_per_press() {
+        let mut back = controls(&[(Scancode::R, true)]);
+        assert!(back.take().respawn);
+        assert!(!back.take().respawn);
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! The levels there are to choose from.
 
 use crate::cli::files;
+use crate::level;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -9,6 +10,29 @@ const FOLDERS: &[&str] = &["levels", "levels/dev"];
 
 /// Files beside the levels that hold the tuning for one of them end like this.
 const TUNING: &str = ".tuning.ron";
+
+/// A level that players may choose.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Choice {
+    /// Its file.
+    pub path: PathBuf,
+    /// What progress knows it by: the file's name.
+    pub key: String,
+    /// What players call it.
+    pub name: String,
+}
+
+/// The levels for players, one that is named before all others; those that cannot be read are left out.
+pub fn for_players(first: &Path) -> Vec<Choice> {
+    let mut paths = in_folder(&files::find(Path::new(FOLDERS[0])));
+    paths.sort_by_key(|path| path.file_name() != first.file_name());
+    let choice = |path: PathBuf| {
+        let name = level::load(&path).ok()?.name;
+        let key = path.file_stem()?.to_string_lossy().into_owned();
+        Some(Choice { path, key, name })
+    };
+    paths.into_iter().filter_map(choice).collect()
+}
 
 /// All level files, by folder and name.
 pub fn list() -> Vec<PathBuf> {

@@ -3,15 +3,22 @@
 //! In reading order: [`app`] (the frame, as a sequence), `picture` (what it shows), [`platform`] (the window),
 //! [`input`] and [`pads`] (devices), [`clock`] (time to ticks), [`runs`] (from player or replay, recorded or not),
 //! [`play`] (a world being played), [`edits`] (what the overlay may ask for), [`reload`] (files that change),
-//! [`levels`] (those to choose from), [`notices`] (what went wrong), [`capture`] (pictures as files), [`overlay`]
-//! (panels, drawings, heads-up display), [`render`] (the world's picture).
+//! [`levels`] (those to choose from), [`notices`] (what went wrong), [`capture`] (pictures as files), [`settings`] (what
+//! is set and what has been reached, and their files), [`menu`] (title, pause, settings as values, and their look),
+//! [`front`] (the menus in the running game), `games` (runs begun and finished), `liking` (settings made to hold), [`hud`] (what is told beside the world), [`text`] (letters), [`overlay`]
+//! (panels and drawings for developers), [`render`] (the world's picture).
 
 pub mod app;
 pub mod capture;
 pub mod clock;
 pub mod edits;
+pub mod front;
+mod games;
+pub mod hud;
 pub mod input;
 pub mod levels;
+mod liking;
+pub mod menu;
 pub mod notices;
 pub mod overlay;
 pub mod pads;
@@ -21,6 +28,8 @@ pub mod play;
 pub mod reload;
 pub mod render;
 pub mod runs;
+pub mod settings;
+pub mod text;
 
 use crate::cli::files::FileError;
 use crate::cli::load::LoadError;

@@ -18,6 +18,10 @@ pub enum Topic {
     Device,
     /// The recording.
     Recording,
+    /// The file of the settings.
+    Settings,
+    /// The file of what has been reached.
+    Progress,
 }
 
 impl Topic {
@@ -29,6 +33,17 @@ impl Topic {
             Topic::Shaders => "Shaders",
             Topic::Device => "Device",
             Topic::Recording => "Recording",
+            Topic::Settings => "Settings",
+            Topic::Progress => "Progress",
+        }
+    }
+
+    /// What the game makes of it.
+    pub fn remedy(self) -> &'static str {
+        match self {
+            Topic::Level | Topic::Tuning | Topic::Shaders => "the last good state goes on",
+            Topic::Device | Topic::Recording => "the game goes on",
+            Topic::Settings | Topic::Progress => "the game goes on with what it could read",
         }
     }
 }

@@ -3,21 +3,32 @@
 use super::ShellError;
 use super::app::App;
 use super::edits::Edit;
+use super::menu::prompts::Device;
 use super::overlay::Info;
 use super::overlay::scene::{Drawing, MeshPicture};
 use super::render::{CameraPose, Frame};
 use crate::game::camera::Pose;
 use glam::{DVec2, DVec3};
+use std::f64::consts::TAU;
+
+/// Share of the picture's width that the title's letters take.
+const TITLE_ASIDE: f64 = 0.42;
+/// How the camera drifts behind the title: seconds of a swing and metres to each side, across, up and towards the scene.
+const DRIFT: [(f64, f64); 3] = [(46.0, 2.4), (31.0, 0.5), (67.0, 1.1)];
 
 impl App {
     /// Draws the moment between the last two ticks; returns what was asked for in the panels.
-    pub(super) fn draw(&mut self) -> Result<Vec<Edit>, ShellError> {
+    pub(super) fn draw(&mut self, elapsed: f32) -> Result<Vec<Edit>, ShellError> {
         let share = self.clock.share();
         let pixels = self.platform.pixels();
         let view = self.play.view(share);
         let covered = self.overlay.covered(&self.platform);
         let offsets: Vec<DVec2> = self.play.world.offsets_at(view.time).collect();
-        let pose = beside(self.play.pose(share, &self.tuning), covered, pixels);
+        let pose = self.play.pose(share, &self.tuning);
+        let pose = match self.front.is_title() {
+            true => drifting(beside(pose, TITLE_ASIDE, pixels), self.front.clock),
+            false => beside(pose, covered, pixels),
+        };
         let drawing = if self.overlay.open || self.overlay.show.mesh {
             let show = self.overlay.show;
             let picture = self.mesh_picture();
@@ -36,12 +47,10 @@ impl App {
             show_world: !(self.overlay.open && self.overlay.show.hide_world),
         };
         self.renderer.draw(&frame, pixels);
-        self.platform.show_mouse(self.overlay.open);
-        let notice = if self.feed.is_over() {
-            "The replay is over"
-        } else {
-            "Paused"
-        };
+        self.write_page(&view, elapsed, covered as f32);
+        self.text_pass.draw(&mut self.text);
+        let points = self.front.is_open() && self.controls.device() == Device::Keys;
+        self.platform.show_mouse(self.overlay.open || points);
         // What the panels may see; what they want comes back as values.
         let info = Info {
             play: &self.play,
@@ -55,10 +64,7 @@ impl App {
             notices: &self.notices,
             source: &self.feed.describe(self.recorder.as_ref()),
             paused: self.paused,
-            // Whoever has the tools open wants to see the scene, and sees there that time stands still.
-            pause_notice: (!self.overlay.open).then_some(notice),
             scale: self.scale,
-            pads: self.controls.pads().count(),
         };
         self.overlay.draw(&self.platform, &info)
     }
@@ -90,6 +96,18 @@ fn beside(pose: Pose, covered: f64, (width, height): (u32, u32)) -> Pose {
     Pose {
         eye: pose.eye - aside,
         target: pose.target - aside,
+        ..pose
+    }
+}
+
+/// A pose that moves slowly, and never stands still.
+fn drifting(pose: Pose, seconds: f64) -> Pose {
+    let swing = |(period, reach): (f64, f64)| (seconds / period * TAU).sin() * reach;
+    let [across, up, near] = DRIFT.map(swing);
+    let aside = DVec3::new(across, up, 0.0);
+    Pose {
+        eye: pose.eye + aside - DVec3::Z * near,
+        target: pose.target + aside * 0.7,
         ..pose
     }
 }

@@ -96,12 +96,34 @@ impl Platform {
     }
 
     /// Into fullscreen or out of it; on failure nothing changes.
-    pub fn toggle_fullscreen(&mut self) -> Result<(), String> {
-        let wanted = match self.window.fullscreen_state() {
-            FullscreenType::Off => FullscreenType::Desktop,
-            _ => FullscreenType::Off,
+    pub fn set_fullscreen(&mut self, fullscreen: bool) -> Result<(), String> {
+        let wanted = match fullscreen {
+            true => FullscreenType::Desktop,
+            false => FullscreenType::Off,
         };
         self.window.set_fullscreen(wanted)
+    }
+
+    /// Makes the window so many points large.
+    pub fn resize(&mut self, width: u32, height: u32) -> Result<(), String> {
+        self.window
+            .set_size(width, height)
+            .map_err(|e| e.to_string())
+    }
+
+    /// Waits for the display from now on, or no longer.
+    pub fn set_vsync(&mut self, wanted: bool) {
+        self.vsync = set_vsync(&self.video, wanted);
+    }
+
+    /// Where the mouse is, in pixels of the picture.
+    pub fn mouse(&self) -> [f32; 2] {
+        let mouse = self.events.mouse_state();
+        let ((width, height), (across, down)) = (self.pixels(), self.window.size());
+        [
+            mouse.x() as f32 * width as f32 / across.max(1) as f32,
+            mouse.y() as f32 * height as f32 / down.max(1) as f32,
+        ]
     }
 
     /// Shows or hides the mouse.

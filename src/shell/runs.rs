@@ -12,7 +12,7 @@ use crate::tune::Tuning;
 use std::path::{Path, PathBuf};
 
 /// The level that is played unless asked otherwise.
-const LEVEL: &str = "levels/quarry.ron";
+pub const LEVEL: &str = "levels/quarry.ron";
 
 /// Everything that is known before there is a window.
 pub struct Start {

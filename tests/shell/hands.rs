@@ -7,13 +7,18 @@ use edgewalker::tune::Motion;
 use sdl2::event::Event;
 use sdl2::keyboard::{Mod, Scancode};
 use sdl2::mouse::MouseButton;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 /// A sixtieth of a second.
 pub const FRAME: Duration = Duration::from_nanos(16_666_667);
 /// Even ground between two walls.
 pub const FLAT: &str = "levels/dev/flat.ron";
+
+/// Where these tests keep settings: not in the folder of whoever runs them.
+pub fn config_dir() -> PathBuf {
+    std::env::temp_dir().join(format!("edgewalker-config-{}", std::process::id()))
+}
 
 pub fn options(level: &str) -> Options {
     Options {
@@ -29,6 +34,8 @@ pub fn options(level: &str) -> Options {
         fullscreen: false,
         vsync: false,
         preset: None,
+        config_dir: Some(config_dir()),
+        screen: None,
         overlay: false,
         mesh: false,
     }

@@ -4,6 +4,7 @@
 
 mod devices;
 mod hands;
+mod menus;
 mod runs;
 mod tools;
 mod virtual_pad;
@@ -78,6 +79,26 @@ const TESTS: &[Test] = &[
         "a changed tuning ends the recording",
         runs::a_changed_tuning_ends_the_recording,
     ),
+    (
+        "the title leads into the game",
+        menus::the_title_leads_into_the_game,
+    ),
+    ("menus by keyboard alone", menus::by_keyboard),
+    ("menus by controller alone", menus::by_controller),
+    ("menus by mouse alone", menus::by_mouse),
+    (
+        "settings survive a restart",
+        menus::settings_survive_a_restart,
+    ),
+    ("a run is gone on with", menus::a_run_is_gone_on_with),
+    (
+        "what the command line says is not saved",
+        menus::what_the_command_line_says_is_not_saved,
+    ),
+    ("broken files are told of", menus::broken_files_are_told_of),
+    ("keys are bound by hand", menus::keys_are_bound_by_hand),
+    ("results at the goal", menus::results_at_the_goal),
+    ("time runs slower by wish", menus::time_runs_slower_by_wish),
     ("another level", tools::another_level),
     ("a level is clicked", tools::a_level_is_clicked),
 ];

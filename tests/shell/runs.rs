@@ -61,6 +61,7 @@ fn write_replay(path: &Path) -> World {
             down: tick % 200 > 180,
             up: false,
             retry: tick == 700,
+            respawn: tick == 900,
         });
     }
     fs::write(path, replay.to_text()).unwrap();

@@ -1,8 +1,7 @@
-//! The developers' overlay and the heads-up display, through ImGui.
+//! The developers' overlay, through ImGui.
 //!
 //! It reads the game ([`Info`]) and answers with values ([`Edit`]); it never reaches into the world.
 
-pub mod hud;
 pub mod panel;
 pub mod scene;
 pub mod stats;
@@ -18,7 +17,7 @@ use crate::cli::files::{self, FileError};
 use crate::game::View;
 use crate::tune::Tuning;
 use imgui::{
-    ClipboardBackend, ConfigFlags, Context, FontConfig, FontGlyphRanges, FontId, FontSource, Key,
+    ClipboardBackend, ConfigFlags, Context, FontConfig, FontGlyphRanges, FontSource, Key,
     MouseButton, Textures,
 };
 use imgui_glow_renderer::Renderer;
@@ -36,7 +35,6 @@ const LINES: f32 = 48.0;
 const TEXT: (f32, f32) = (13.0, 48.0);
 /// Text height at which sizes are as the style names them.
 const STYLE_TEXT: f32 = 15.0;
-const TITLE: f32 = 2.4;
 
 /// What the panels show of one frame.
 pub struct Info<'a> {
@@ -62,12 +60,8 @@ pub struct Info<'a> {
     pub source: &'a str,
     /// Time stands still.
     pub paused: bool,
-    /// What to say about that in the middle of the picture.
-    pub pause_notice: Option<&'a str>,
     /// Speed of time.
     pub scale: f64,
-    /// Game controllers.
-    pub pads: usize,
 }
 
 /// How much there is of a mesh.
@@ -85,15 +79,6 @@ pub struct MeshSize {
     pub features: usize,
 }
 
-/// The two sizes of text.
-#[derive(Clone, Copy, Debug)]
-pub struct Fonts {
-    /// For all but titles.
-    pub body: FontId,
-    /// For titles.
-    pub title: FontId,
-}
-
 /// ImGui, and what is shown.
 pub struct Overlay {
     /// The panel is open.
@@ -106,7 +91,6 @@ pub struct Overlay {
     platform: SdlPlatform,
     renderer: Renderer,
     textures: Textures<glow::Texture>,
-    fonts: Fonts,
     font_file: Vec<u8>,
     text_pixels: f32,
     gl: Rc<glow::Context>,
@@ -125,7 +109,7 @@ impl Overlay {
         context.io_mut().config_flags |= ConfigFlags::NO_MOUSE_CURSOR_CHANGE;
         let platform = SdlPlatform::new(&mut context);
         let text_pixels = text_pixels(window);
-        let fonts = load_fonts(&mut context, &font_file, text_pixels);
+        load_font(&mut context, &font_file, text_pixels);
         let mut textures = Textures::new();
         let renderer = make_renderer(&window.gl, &mut context, &mut textures)?;
         Ok(Overlay {
@@ -143,7 +127,6 @@ impl Overlay {
             platform,
             renderer,
             textures,
-            fonts,
             font_file,
             text_pixels,
             gl: window.gl.clone(),
@@ -176,6 +159,11 @@ impl Overlay {
         self.open && (io.want_capture_keyboard || io.want_text_input)
     }
 
+    /// Whether the mouse belongs to the panel.
+    pub fn takes_mouse(&self) -> bool {
+        self.open && self.context.io().want_capture_mouse
+    }
+
     /// Share of the picture's width that the panel covers.
     pub fn covered(&self, window: &Platform) -> f64 {
         let width = window.pixels().0 as f32;
@@ -197,12 +185,8 @@ impl Overlay {
             .prepare_frame(&mut self.context, &window.window, &window.events);
         let mut edits = Vec::new();
         let ui = self.context.new_frame();
-        let covered = if self.open { panel::docked(ui)[0] } else { 0.0 };
-        hud::draw(ui, self.fonts, info, covered);
         if self.open {
             panel::draw(ui, &mut self.panel, info, &mut self.show, &mut edits);
-        } else {
-            hud::problems(ui, info);
         }
         let data = self.context.render();
         if data.total_vtx_count > 0 {
@@ -220,7 +204,7 @@ impl Overlay {
             self.text_pixels = wanted;
             self.renderer.destroy(&self.gl);
             self.textures = Textures::new();
-            self.fonts = load_fonts(&mut self.context, &self.font_file, wanted);
+            load_font(&mut self.context, &self.font_file, wanted);
             self.renderer = make_renderer(&self.gl, &mut self.context, &mut self.textures)?;
         }
         let density = window.pixels().1 as f32 / window.window.size().1.max(1) as f32;
@@ -252,24 +236,18 @@ fn read_font(path: &Path) -> Result<Vec<u8>, FileError> {
     Ok(bytes)
 }
 
-fn load_fonts(context: &mut Context, file: &[u8], pixels: f32) -> Fonts {
+fn load_font(context: &mut Context, file: &[u8], size_pixels: f32) {
     let atlas = context.fonts();
     atlas.clear();
-    let mut add = |size_pixels: f32| {
-        let config = FontConfig {
-            glyph_ranges: FontGlyphRanges::from_slice(GLYPHS),
-            ..FontConfig::default()
-        };
-        atlas.add_font(&[FontSource::TtfData {
-            data: file,
-            size_pixels,
-            config: Some(config),
-        }])
+    let config = FontConfig {
+        glyph_ranges: FontGlyphRanges::from_slice(GLYPHS),
+        ..FontConfig::default()
     };
-    Fonts {
-        body: add(pixels),
-        title: add((pixels * TITLE).round()),
-    }
+    atlas.add_font(&[FontSource::TtfData {
+        data: file,
+        size_pixels,
+        config: Some(config),
+    }]);
 }
 
 fn make_renderer(

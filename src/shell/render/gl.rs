@@ -1,9 +1,11 @@
-//! OpenGL 3.3 behind safe functions: the only file of the crate with unsafe code.
+//! OpenGL 3.3 behind safe functions: this file and its folder are all of the crate that has unsafe code.
 //!
 //! Every call goes to the context that made the objects, so names cannot be mixed up. Memory is safe because all data
 //! crosses as checked slices, draws stay inside the vertices that were uploaded, and uniform buffers are as large as the
 //! smallest block limit that OpenGL guarantees. The context must be current on the calling thread; it is never sent away.
 #![allow(unsafe_code)]
+
+mod pixels;
 
 use super::state::{CompileError, Format, Spec, Stage, Texels};
 use glow::HasContext;
@@ -262,7 +264,7 @@ impl Gl {
             for (texels, part) in parts {
                 let at = match texels {
                     Texels::Depth => DEPTH_ATTACHMENT,
-                    Texels::Light => COLOR_ATTACHMENT0,
+                    Texels::Light | Texels::Coverage => COLOR_ATTACHMENT0,
                 };
                 match part.name {
                     Name::Texture(name) => {
@@ -408,26 +410,6 @@ impl Gl {
             gl.bind_vertex_array(Some(geometry.array));
             gl.draw_arrays_instanced(glow::TRIANGLES, 0, vertices as i32, geometry.count as i32);
         }
-    }
-
-    /// The lower left `width` by `height` pixels of the bound framebuffer: RGB, rows from the bottom up.
-    pub fn read_pixels(&self, width: u32, height: u32) -> Vec<u8> {
-        let gl = &self.ctx;
-        let row = width as usize * 3;
-        let mut pixels = vec![0; row * height as usize];
-        if pixels.is_empty() {
-            return pixels;
-        }
-        let (format, kind) = (glow::RGB, glow::UNSIGNED_BYTE);
-        // SAFETY: with a pack alignment of 1 exactly `row * height` bytes are written.
-        unsafe {
-            gl.bind_buffer(glow::PIXEL_PACK_BUFFER, None);
-            gl.pixel_store_i32(glow::PACK_ALIGNMENT, 1);
-            gl.pixel_store_i32(glow::PACK_ROW_LENGTH, 0);
-            let into = glow::PixelPackData::Slice(&mut pixels);
-            gl.read_pixels(0, 0, width as i32, height as i32, format, kind, into);
-        }
-        pixels
     }
 }
 

@@ -52,6 +52,8 @@ pub enum Texels {
     Depth,
     /// Linear light, also brighter than white.
     Light,
+    /// How much of it is covered, one byte.
+    Coverage,
 }
 
 impl Texels {
@@ -64,6 +66,7 @@ impl Texels {
                 glow::UNSIGNED_INT,
             ),
             Texels::Light => (glow::R11F_G11F_B10F, glow::RGB, glow::FLOAT),
+            Texels::Coverage => (glow::R8, glow::RED, glow::UNSIGNED_BYTE),
         }
     }
 }

@@ -106,7 +106,7 @@ impl Surface {
 fn texture(gl: &Gl, spec: Spec) -> Result<Owned, String> {
     let compare = match spec.texels {
         Texels::Depth => glow::COMPARE_REF_TO_TEXTURE,
-        Texels::Light => glow::NONE,
+        Texels::Light | Texels::Coverage => glow::NONE,
     };
     let parameters = [
         (glow::TEXTURE_MIN_FILTER, glow::LINEAR),

@@ -1,0 +1,314 @@
+//! What every player sees beside the world: few words, gone when they are known.
+
+use super::menu::caps::{self, with_alpha};
+use super::menu::prompts::{self, Cap, Device};
+use super::menu::view::{ALARM, INK, PAPER, WARM, clock};
+use super::notices::Notices;
+use super::settings::{Bindings, Deed};
+use super::text::{Face, Style, Symbol, Text};
+use crate::game::{View, World};
+
+/// Seconds of an area's name: until it is there, until it begins to go, until it is gone.
+const NAME: [f32; 3] = [0.9, 3.6, 5.0];
+/// The same of the first prompts, of a checkpoint, of a secret.
+const PROMPTS: [f32; 3] = [1.4, 9.0, 10.5];
+const WORD: [f32; 3] = [0.25, 2.2, 3.2];
+/// Size of the picture's height that lengths are meant for.
+const DESIGN: f32 = 720.0;
+/// Heights of lines as shares of the picture's height.
+const NAME_AT: f32 = 0.235;
+const WORD_AT: f32 = 0.135;
+const NOTICE_AT: f32 = 0.075;
+const PROMPTS_AT: f32 = 0.935;
+/// Widest problem that is told in one line, as a share of the picture's width.
+const PROBLEM_WIDTH: f32 = 0.46;
+
+/// A word in passing.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Word {
+    Checkpoint,
+    Secret,
+}
+
+/// What is shown, and since when.
+#[derive(Debug, Default)]
+pub struct Hud {
+    area: Option<usize>,
+    named: f32,
+    begun: f32,
+    word: Option<(Word, f32)>,
+    secrets: u32,
+    began_at: f64,
+}
+
+/// What the display is drawn from.
+pub struct Scene<'a> {
+    /// The world that is played.
+    pub world: &'a World,
+    /// The moment that is drawn.
+    pub view: &'a View,
+    /// What went wrong, and what is said in passing.
+    pub notices: &'a Notices,
+    /// What does what, on what is in use.
+    pub bindings: &'a Bindings,
+    /// What the player has used last.
+    pub device: Device,
+    /// Why time stands still, if it does without a menu.
+    pub held: Option<&'static str>,
+    /// Nobody can play: the keys are of no use.
+    pub is_shown_only: bool,
+    /// Share of the picture's width on the left that is covered.
+    pub covered: f32,
+}
+
+impl Hud {
+    /// Begins anew, with the name of the place.
+    pub fn begin(&mut self) {
+        *self = Hud::default();
+    }
+
+    /// A checkpoint was reached.
+    pub fn checkpoint(&mut self) {
+        self.word = Some((Word::Checkpoint, 0.0));
+    }
+
+    /// Lets time pass, in seconds, and sees what has changed.
+    pub fn advance(&mut self, seconds: f32, view: &View) {
+        if view.began_at != self.began_at {
+            self.begin();
+            self.began_at = view.began_at;
+        }
+        if self.area != Some(view.area) {
+            (self.area, self.named) = (Some(view.area), 0.0);
+        }
+        if view.secrets > self.secrets {
+            self.word = Some((Word::Secret, 0.0));
+        }
+        self.secrets = view.secrets;
+        self.named += seconds;
+        self.begun += seconds;
+        if let Some((_, age)) = &mut self.word {
+            *age += seconds;
+        }
+    }
+
+    /// Draws it on the text's page.
+    pub fn draw(&self, text: &mut Text, scene: &Scene) {
+        let mut pen = Pen::new(text, scene);
+        if let Some(held) = scene.held {
+            pen.name(held, None, 1.0);
+        } else if let Some(won) = scene.view.won_at {
+            let age = (scene.view.time - won) as f32;
+            let figures = format!(
+                "{}   deaths {}",
+                clock(scene.view.run_time()),
+                scene.view.deaths
+            );
+            pen.name("Goal reached", Some(&figures), age.clamp(0.0, 1.0));
+        } else {
+            self.place(&mut pen);
+        }
+        pen.notice();
+    }
+
+    /// Problems, which are told whatever else is shown.
+    pub fn problems(text: &mut Text, notices: &Notices) {
+        let [width, height] = text.size();
+        let unit = height / DESIGN;
+        let style = body(15.0 * unit);
+        let right = width - 24.0 * unit;
+        let mut y = 34.0 * unit;
+        for (topic, reason) in notices.problems() {
+            let title = format!("{}: {}", topic.name(), topic.remedy());
+            text.ending(style.in_colour(ALARM), right, y, &title);
+            y += 21.0 * unit;
+            for paragraph in reason.lines() {
+                for line in text.broken(style, paragraph, width * PROBLEM_WIDTH) {
+                    text.ending(style, right, y, line);
+                    y += 20.0 * unit;
+                }
+            }
+            y += 8.0 * unit;
+        }
+    }
+
+    fn place(&self, pen: &mut Pen) {
+        let opacity = shown(self.named, NAME);
+        if opacity > 0.0 {
+            let level = &pen.scene.world.stage().level;
+            let area = self.area.and_then(|area| level.areas.get(area));
+            let name = area.map_or(level.name.as_str(), |area| area.name.as_str());
+            pen.name(name, None, opacity);
+        }
+        if let Some((word, age)) = self.word {
+            let found = self.secrets as usize;
+            let of = pen.scene.world.stage().secret_count();
+            match word {
+                Word::Checkpoint => pen.word("Checkpoint", shown(age, WORD)),
+                Word::Secret => pen.word(&format!("Secret {found} of {of}"), shown(age, WORD)),
+            }
+        }
+        if !pen.scene.is_shown_only {
+            pen.prompts(shown(self.begun, PROMPTS));
+        }
+    }
+}
+
+fn body(px: f32) -> Style {
+    Style {
+        face: Face::Body,
+        px,
+        tracking: 0.02,
+        colour: PAPER,
+        shadow: 0.8,
+    }
+}
+
+/// Where things go, and how large.
+struct Pen<'a> {
+    text: &'a mut Text,
+    scene: &'a Scene<'a>,
+    unit: f32,
+    middle: f32,
+    height: f32,
+}
+
+impl<'a> Pen<'a> {
+    fn new(text: &'a mut Text, scene: &'a Scene<'a>) -> Pen<'a> {
+        let [width, height] = text.size();
+        Pen {
+            unit: height / DESIGN,
+            middle: width * (1.0 + scene.covered) / 2.0,
+            height,
+            text,
+            scene,
+        }
+    }
+
+    /// A name over a thin line that fades to both sides, and a line below it.
+    fn name(&mut self, name: &str, below: Option<&str>, opacity: f32) {
+        let unit = self.unit;
+        let style = Style {
+            face: Face::Display,
+            px: 46.0 * unit,
+            tracking: 0.04,
+            colour: with_alpha(PAPER, opacity),
+            shadow: 1.0,
+        };
+        let y = self.height * NAME_AT;
+        self.text.centred(style, self.middle, y, name);
+        let [line, thick] = [y + 24.0 * unit, (1.3 * unit).max(1.0).round()].map(f32::round);
+        let reach = self.text.width(style, name) / 2.0 + 40.0 * unit;
+        let [full, none] = [0.7 * opacity, 0.0].map(|a| with_alpha(WARM, a));
+        let gap = 14.0 * unit;
+        let (left, right) = (self.middle - reach, self.middle + gap);
+        self.text
+            .shaded([left, line, reach - gap, thick], [none, full, none, full]);
+        self.text
+            .shaded([right, line, reach - gap, thick], [full, none, full, none]);
+        let at = [self.middle, line + thick / 2.0];
+        self.text
+            .symbol(Symbol::Lozenge, at, 9.0 * unit, with_alpha(WARM, opacity));
+        if let Some(below) = below {
+            let style = body(24.0 * unit).in_colour(with_alpha(PAPER, opacity));
+            self.text
+                .centred(style, self.middle, y + 62.0 * unit, below);
+        }
+    }
+
+    /// A word with a light beside it.
+    fn word(&mut self, word: &str, opacity: f32) {
+        if opacity <= 0.0 {
+            return;
+        }
+        let unit = self.unit;
+        let style = body(23.0 * unit).in_colour(with_alpha(WARM, opacity));
+        let y = self.height * WORD_AT;
+        let start = self.middle - self.text.width(style, word) / 2.0;
+        let at = [start - 20.0 * unit, y - self.text.cap_height(style) / 2.0];
+        self.text
+            .glow(at, [90.0 * unit; 2], with_alpha(WARM, 0.45 * opacity));
+        self.text
+            .symbol(Symbol::Lozenge, at, 12.0 * unit, style.colour);
+        self.text.write(style, start, y, word);
+    }
+
+    /// What is said in passing.
+    fn notice(&mut self) {
+        if let Some((words, opacity)) = self.scene.notices.notice() {
+            let style = body(20.0 * self.unit).in_colour(with_alpha(PAPER, opacity));
+            let y = self.height * NOTICE_AT;
+            self.text.centred(style, self.middle, y, words);
+        }
+    }
+
+    /// The keys, or the buttons, of the device in use.
+    fn prompts(&mut self, opacity: f32) {
+        if opacity <= 0.0 {
+            return;
+        }
+        let Scene {
+            device, bindings, ..
+        } = *self.scene;
+        let deed = |deed| prompts::deed(deed, device, bindings);
+        let run = match device {
+            Device::Keys => vec![deed(Deed::Left), deed(Deed::Right)],
+            Device::Pad(_) => vec![Some(Cap::Plate("Stick"))],
+        };
+        let groups = [
+            (run, "run"),
+            (vec![deed(Deed::Jump)], "jump"),
+            (vec![deed(Deed::Crouch)], "crouch"),
+            (vec![deed(Deed::Retry)], "retry"),
+            (vec![Some(prompts::pause(device))], "pause"),
+        ];
+        let px = 17.0 * self.unit;
+        let style = body(px).in_colour(with_alpha(PAPER, opacity));
+        let (between, within) = (px * 1.9, px * 0.5);
+        let width = |pen: &Pen, (found, words): &(Vec<Option<Cap>>, &str)| {
+            let widths = found.iter().flatten();
+            let all: f32 = widths
+                .map(|cap| caps::width(pen.text, cap, px) + within)
+                .sum();
+            all + pen.text.width(style, words)
+        };
+        let all: f32 = groups
+            .iter()
+            .map(|group| width(self, group) + between)
+            .sum();
+        let baseline = (self.height * PROMPTS_AT).round();
+        let mut x = self.middle - (all - between) / 2.0;
+        let plate = [
+            x - px * 1.2,
+            baseline - px * 1.55,
+            all - between + px * 2.4,
+            px * 2.4,
+        ];
+        self.text.pill(plate, true, with_alpha(INK, 0.62 * opacity));
+        for (found, words) in &groups {
+            for cap in found.iter().flatten() {
+                x = caps::draw(self.text, cap, x, baseline, px, style.colour) + within;
+            }
+            x = self.text.write(style, x, baseline, words) + between;
+        }
+    }
+}
+
+/// How visible something is that comes, stays and goes.
+fn shown(now: f32, [there, going, gone]: [f32; 3]) -> f32 {
+    let (come, go) = (now / there, (gone - now) / (gone - going));
+    come.min(go).clamp(0.0, 1.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_name_comes_stays_and_goes() {
+        let times = [0.0, 0.45, 2.0, 4.3, 6.0].map(|t| shown(t, NAME));
+        for (found, wanted) in times.into_iter().zip([0.0, 0.5, 1.0, 0.5, 0.0]) {
+            assert!((found - wanted).abs() < 1e-6, "{times:?}");
+        }
+    }
+}

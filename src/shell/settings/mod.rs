@@ -1,0 +1,15 @@
+//! What players set to their liking, and what they have reached: plain values, and the files that keep them.
+//!
+//! In reading order: [`values`] (every setting, one line each), [`bindings`] (keys and buttons), [`progress`] (runs and
+//! records), [`fields`] (text read so that one bad value spoils no other), [`store`] (the files).
+
+pub mod bindings;
+mod fields;
+pub mod progress;
+pub mod store;
+pub mod values;
+
+pub use bindings::{Bindings, Deed};
+pub use progress::Progress;
+pub use store::Store;
+pub use values::{Access, Audio, Hands, Hold, Settings, Size, Video};

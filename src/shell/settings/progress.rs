@@ -1,0 +1,165 @@
+//! What has been reached: for each level the run that is under way, and the best of those that came to the goal.
+
+use super::fields::Complaints;
+use crate::game::Run;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+
+/// Version of the file.
+pub const VERSION: u32 = 1;
+
+/// Everything that has been reached.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default, rename = "Progress")]
+pub struct Progress {
+    /// Version of the format.
+    pub version: u32,
+    /// The level that was played last.
+    pub last: Option<String>,
+    /// By the level's path.
+    pub levels: BTreeMap<String, Record>,
+}
+
+/// What has been reached in one level.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Record {
+    /// The run that was left before its goal.
+    pub run: Option<Run>,
+    /// Shortest time to the goal, in seconds.
+    pub best_seconds: Option<f64>,
+    /// Fewest deaths on the way there.
+    pub fewest_deaths: Option<u32>,
+    /// Most secrets found in one run.
+    pub most_secrets: u32,
+    /// How often the goal was reached.
+    pub finished: u32,
+}
+
+/// What a run came to.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Results {
+    /// Time to the goal, in seconds.
+    pub seconds: f64,
+    /// Deaths on the way.
+    pub deaths: u32,
+    /// Secrets found, and how many there are.
+    pub secrets: (u32, u32),
+    /// The shortest time before this run, in seconds.
+    pub best_before: Option<f64>,
+}
+
+impl Results {
+    /// The shortest time that there is now.
+    pub fn best(&self) -> f64 {
+        self.best_before
+            .map_or(self.seconds, |best| best.min(self.seconds))
+    }
+
+    /// This run was the fastest of several.
+    pub fn is_record(&self) -> bool {
+        self.best_before.is_some_and(|best| self.seconds < best)
+    }
+}
+
+impl Progress {
+    /// The level and the run to go on with.
+    pub fn unfinished(&self) -> Option<(&str, &Run)> {
+        let name = self.last.as_deref()?;
+        Some((name, self.levels.get(name)?.run.as_ref()?))
+    }
+
+    /// A run is under way: its last checkpoint, time and deaths.
+    pub fn note(&mut self, level: &str, run: Run) {
+        self.last = Some(level.to_owned());
+        self.record(level).run = Some(run);
+    }
+
+    /// The run in a level is given up.
+    pub fn forget_run(&mut self, level: &str) {
+        self.record(level).run = None;
+    }
+
+    /// A run has come to the goal.
+    pub fn finish(
+        &mut self,
+        level: &str,
+        seconds: f64,
+        deaths: u32,
+        secrets: (u32, u32),
+    ) -> Results {
+        self.last = Some(level.to_owned());
+        let record = self.record(level);
+        let results = Results {
+            seconds,
+            deaths,
+            secrets,
+            best_before: record.best_seconds,
+        };
+        record.run = None;
+        record.best_seconds = Some(results.best());
+        record.fewest_deaths = Some(record.fewest_deaths.map_or(deaths, |f| f.min(deaths)));
+        record.most_secrets = record.most_secrets.max(secrets.0);
+        record.finished += 1;
+        results
+    }
+
+    fn record(&mut self, level: &str) -> &mut Record {
+        self.levels.entry(level.to_owned()).or_default()
+    }
+
+    /// Leaves out times that no clock could show.
+    pub(super) fn mend(&mut self, complaints: &mut Complaints) {
+        let is_time = |seconds: f64| seconds.is_finite() && seconds >= 0.0;
+        for (level, record) in &mut self.levels {
+            if record.best_seconds.is_some_and(|best| !is_time(best)) {
+                complaints.push(format!("{level}: best_seconds is no time and left out"));
+                record.best_seconds = None;
+            }
+            if record.run.as_ref().is_some_and(|run| !is_time(run.seconds)) {
+                complaints.push(format!(
+                    "{level}: run.seconds is no time; the run is left out"
+                ));
+                record.run = None;
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_best_of_several_runs_is_kept() {
+        let mut progress = Progress::default();
+        let first = progress.finish("a", 100.0, 3, (1, 4));
+        assert!(!first.is_record() && first.best() == 100.0);
+        let slower = progress.finish("a", 120.0, 0, (4, 4));
+        assert!(!slower.is_record() && slower.best() == 100.0);
+        let faster = progress.finish("a", 80.0, 9, (0, 4));
+        assert!(faster.is_record() && faster.best_before == Some(100.0));
+        let record = &progress.levels["a"];
+        assert_eq!(record.best_seconds, Some(80.0));
+        assert_eq!((record.fewest_deaths, record.most_secrets), (Some(0), 4));
+        assert_eq!(record.finished, 3);
+    }
+
+    #[test]
+    fn a_run_is_under_way_until_it_is_finished_or_given_up() {
+        let mut progress = Progress::default();
+        assert_eq!(progress.unfinished(), None);
+        let run = Run {
+            seconds: 9.0,
+            ..Run::default()
+        };
+        progress.note("a", run.clone());
+        assert_eq!(progress.unfinished(), Some(("a", &run)));
+        progress.note("b", run.clone());
+        progress.finish("b", 12.0, 0, (0, 0));
+        assert_eq!(progress.unfinished(), None);
+        progress.note("a", run);
+        progress.forget_run("a");
+        assert_eq!(progress.unfinished(), None);
+    }
+}

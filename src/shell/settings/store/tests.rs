@@ -1,0 +1,190 @@
+//! Files that are good, missing, broken, too new, half wrong, or not to be written.
+
+use super::super::bindings::Deed;
+use super::*;
+use crate::cli::Preset;
+use crate::game::Run;
+use sdl2::keyboard::Scancode;
+use std::fs;
+
+/// A folder of its own for each test, gone with it.
+struct Folder(PathBuf);
+
+impl Folder {
+    fn new(name: &str) -> Folder {
+        let name = format!("edgewalker-store-{name}-{}", std::process::id());
+        let folder = Folder(std::env::temp_dir().join(name));
+        fs::create_dir_all(&folder.0).unwrap();
+        folder
+    }
+
+    fn open(&self) -> (Store, Vec<String>) {
+        Store::open(Some(&self.0))
+    }
+
+    fn write(&self, file: &str, text: &str) {
+        fs::write(self.0.join(file), text).unwrap();
+    }
+
+    fn read(&self, file: &str) -> String {
+        fs::read_to_string(self.0.join(file)).unwrap()
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        let _ = fs::remove_dir_all(&self.0);
+    }
+}
+
+#[test]
+fn what_is_saved_is_there_again() {
+    let folder = Folder::new("again");
+    let (mut store, said) = folder.open();
+    assert!(said.is_empty() && store.settings == Settings::default());
+    store.settings.video.preset = Some(Preset::High);
+    store.settings.video.size = values::Size {
+        width: 1920,
+        height: 1080,
+    };
+    store.settings.audio.music = 35;
+    store.settings.accessibility.crouch = values::Hold::Toggle;
+    let bindings = &mut store.settings.controls.bindings;
+    assert!(bindings.set_key(Deed::Jump, 1, Some(Scancode::Comma)));
+    assert!(bindings.set_key(Deed::Left, 1, None));
+    assert!(bindings.set_button(Deed::Crouch, None));
+    let run = Run {
+        checkpoint: Some("gate".into()),
+        seconds: 12.5,
+        deaths: 2,
+        ..Run::default()
+    };
+    store.progress.note("levels/quarry.ron", run);
+    store.save_settings().unwrap();
+    store.save_progress().unwrap();
+    let (again, said) = folder.open();
+    assert_eq!(said, [""; 0]);
+    assert_eq!(again.settings, store.settings);
+    assert_eq!(again.progress.levels, store.progress.levels);
+}
+
+#[test]
+fn without_a_folder_nothing_is_kept_and_a_missing_one_is_made() {
+    let (store, said) = Store::open(None);
+    assert!(said.is_empty() && store.save_settings().is_ok());
+    let folder = Folder::new("missing");
+    let deep = folder.0.join("a/b");
+    let (store, said) = Store::open(Some(&deep));
+    assert!(said.is_empty());
+    store.save_settings().unwrap();
+    assert!(deep.join(SETTINGS_FILE).exists());
+}
+
+#[test]
+fn a_broken_file_is_set_aside_and_told_of() {
+    let folder = Folder::new("broken");
+    for (number, text) in [(1, "(version: 1, video: (size"), (2, "nonsense"), (3, "")] {
+        folder.write(SETTINGS_FILE, text);
+        let (store, said) = folder.open();
+        assert_eq!(store.settings, Settings::default());
+        let aside = format!("{SETTINGS_FILE}.broken-{number}");
+        assert!(said.len() == 1 && said[0].contains(&aside), "{said:?}");
+        assert_eq!(folder.read(&aside), text);
+        store.save_settings().unwrap();
+        assert!(folder.open().1.is_empty());
+    }
+    folder.write(PROGRESS_FILE, "(version: 1, levels: 3)");
+    let (_, said) = folder.open();
+    assert!(said[0].contains("progress.ron.broken-1"), "{said:?}");
+}
+
+#[test]
+fn a_newer_file_is_left_alone() {
+    let folder = Folder::new("newer");
+    let text = "(version: 2, moods: [Bright])";
+    for file in [SETTINGS_FILE, PROGRESS_FILE] {
+        folder.write(file, text);
+    }
+    let (store, said) = folder.open();
+    assert!(
+        said.len() == 2 && said.iter().all(|s| s.contains("version 2")),
+        "{said:?}"
+    );
+    store.save_settings().unwrap();
+    store.save_progress().unwrap();
+    assert_eq!(
+        [folder.read(SETTINGS_FILE), folder.read(PROGRESS_FILE)],
+        [text, text]
+    );
+}
+
+#[test]
+fn one_bad_value_spoils_no_other() {
+    let folder = Folder::new("values");
+    folder.write(
+        SETTINGS_FILE,
+        "(version: 1, video: (size: (3, 5), preset: Some(Ultra), vsync: false), \
+         audio: (master: 300, music: -4, effects: 7, bass: 1), sky: 3, \
+         accessibility: (speed: 10, contrast: true), controls: (bindings: (keys: {\"jump\": [\"Spce\"]}, buttons: {})))",
+    );
+    let (store, said) = folder.open();
+    let Settings {
+        video,
+        audio,
+        controls,
+        accessibility,
+    } = &store.settings;
+    assert_eq!(
+        (video.size, video.preset, video.vsync),
+        (values::Video::default().size, None, false)
+    );
+    assert_eq!((audio.master, audio.music, audio.effects), (100, 80, 7));
+    assert_eq!((accessibility.speed, accessibility.contrast), (50, true));
+    assert_eq!(*controls, values::Hands::default());
+    for name in [
+        "video.size",
+        "video.preset",
+        "audio.master: 300",
+        "audio.music",
+        "audio.bass",
+        "sky",
+        "accessibility.speed: 10",
+        "`Spce` is no key",
+    ] {
+        assert!(said.iter().any(|s| s.contains(name)), "{name}: {said:?}");
+    }
+    assert_eq!(said.len(), 8, "{said:?}");
+}
+
+#[test]
+fn times_that_are_none_are_left_out() {
+    let folder = Folder::new("times");
+    folder.write(
+        PROGRESS_FILE,
+        "(version: 1, levels: {\"a\": (best_seconds: Some(-3)), \"b\": (run: Some((seconds: inf)), finished: 2)})",
+    );
+    let (store, said) = folder.open();
+    assert_eq!(said.len(), 2, "{said:?}");
+    assert_eq!(store.progress.levels["a"].best_seconds, None);
+    assert_eq!(
+        (
+            &store.progress.levels["b"].run,
+            store.progress.levels["b"].finished
+        ),
+        (&None, 2)
+    );
+}
+
+/// What cannot be written says so: here because a file stands where the folder should be.
+#[test]
+fn what_cannot_be_written_says_so() {
+    let folder = Folder::new("blocked");
+    folder.write("file", "");
+    let (store, said) = Store::open(Some(&folder.0.join("file")));
+    assert!(said.is_empty());
+    let error = store.save_settings().unwrap_err().to_string();
+    assert!(
+        error.contains(SETTINGS_FILE) && error.contains("cannot be saved"),
+        "{error}"
+    );
+}
