@@ -28,14 +28,17 @@ impl std::fmt::Display for FileError {
 
 impl std::error::Error for FileError {}
 
+/// Set while a release is built: a program that goes elsewhere knows nothing of the tree that it was built from.
+const IS_PACKAGED: bool = option_env!("EDGEWALKER_PACKAGED").is_some();
+
 /// Where a file or folder of the game is: as given from the current directory, else next to the program, else
 /// in the source tree that the program was built from. A path found nowhere comes back as it was given.
 pub fn find(path: &Path) -> PathBuf {
     let beside = std::env::current_exe()
         .ok()
         .and_then(|exe| Some(exe.parent()?.join(path)));
-    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join(path);
-    let candidates = [Some(path.to_path_buf()), beside, Some(source)];
+    let source = (!IS_PACKAGED).then(|| Path::new(env!("CARGO_MANIFEST_DIR")).join(path));
+    let candidates = [Some(path.to_path_buf()), beside, source];
     candidates
         .into_iter()
         .flatten()
