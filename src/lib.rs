@@ -15,6 +15,8 @@ pub mod motion;
 
 pub mod anim;
 
+pub mod pieces;
+
 pub mod level;
 
 pub mod game;

@@ -255,6 +255,7 @@ impl World {
             area: state.area,
             secrets: state.secrets.len() as u32,
             secret_at: state.secret_at,
+            checkpoint: self.checkpoint().and_then(|feature| feature.respawn),
         }
     }
 
@@ -386,6 +387,7 @@ impl View {
             area: 0,
             secrets: 0,
             secret_at: None,
+            checkpoint: None,
         }
     }
 

@@ -26,6 +26,7 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 const SHADERS: &str = "shaders";
+const MODELS: &str = "assets/models";
 /// Time per frame without vsync by wish, and of a window that nobody looks at.
 const FREE_FRAME: Duration = Duration::from_micros(4000);
 const IDLE_FRAME: Duration = Duration::from_millis(33);
@@ -82,7 +83,11 @@ impl App {
         let front = liking::prepare(options, &mut start.notices);
         let platform = Platform::open(&liking::window(&front.live))?;
         let shader_files = Watch::new(&files::find(Path::new(SHADERS)));
-        let mut renderer = Renderer::new(platform.gl.clone(), shader_files.path())?;
+        let mut renderer = Renderer::new(
+            platform.gl.clone(),
+            shader_files.path(),
+            &files::find(Path::new(MODELS)),
+        )?;
         renderer.set_preset(front.live.video.preset.unwrap_or_default())?;
         let text_pass = Pass::new(platform.gl.clone(), shader_files.path())?;
         let mut overlay = Overlay::new(&platform)?;

@@ -79,13 +79,17 @@ fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
 }
 
+fn models() -> PathBuf {
+    root().join("assets/models")
+}
+
 fn stage(name: &str) -> Stage {
     Stage::build(level::load(&root().join("levels").join(name)).unwrap()).unwrap()
 }
 
 impl Studio {
     fn renderer(&self) -> Renderer {
-        Renderer::new(self.gl.clone(), &root().join("shaders")).unwrap()
+        Renderer::new(self.gl.clone(), &root().join("shaders"), &models()).unwrap()
     }
 
     /// A copy of the shaders that a test may spoil.
@@ -379,7 +383,7 @@ fn any_size(studio: &Studio) {
 
 fn a_broken_shader(studio: &Studio) {
     let folder = studio.own_shaders();
-    let mut renderer = Renderer::new(studio.gl.clone(), &folder).unwrap();
+    let mut renderer = Renderer::new(studio.gl.clone(), &folder, &models()).unwrap();
     let stage = stage("dev/flat.ron");
     renderer.set_stage(&stage);
     let view = View::at(stage.level.start);
@@ -417,7 +421,7 @@ fn a_broken_shader(studio: &Studio) {
 
 fn a_missing_shader(studio: &Studio) {
     let nowhere = studio.folder.join("nowhere");
-    let error = Renderer::new(studio.gl.clone(), &nowhere)
+    let error = Renderer::new(studio.gl.clone(), &nowhere, &models())
         .err()
         .expect("there are no shaders");
     assert!(
@@ -426,7 +430,7 @@ fn a_missing_shader(studio: &Studio) {
     );
     let folder = studio.own_shaders();
     fs::remove_file(folder.join("tone.glsl")).unwrap();
-    let error = Renderer::new(studio.gl.clone(), &folder)
+    let error = Renderer::new(studio.gl.clone(), &folder, &models())
         .err()
         .expect("a file is missing");
     assert!(error.to_string().contains("tone.glsl"), "{error}");

@@ -1,10 +1,12 @@
-//! What lies behind the level: the terraces of the quarry, stacks in the water, and cliffs that fade into the haze.
+//! What lies behind the level: the drowned city, stacks in the water, and cliffs that fade into the haze.
 //!
 //! All of it is real depth, so that it moves against the level as the camera does. It is made from the level's extent
 //! alone, and is the same for the same level.
 
+use super::kit::Kit;
 use super::model::{Model, Paint, hash, paint};
-use glam::{Vec2, Vec3, vec3};
+use crate::level::SceneryKind;
+use glam::{Mat4, Vec2, Vec3, vec3};
 
 /// A row of cliffs: how far away, how tall above the water, how wide a step, and what they are made of.
 struct Row {
@@ -38,9 +40,29 @@ const ROWS: [Row; 3] = [
 /// What grows on the benches, far away.
 const LEDGE: Paint = paint(0x8f9a86);
 
+/// What stands in the water before the cliffs.
+const CITY: [SceneryKind; 7] = [
+    SceneryKind::TowerRuin,
+    SceneryKind::Aqueduct,
+    SceneryKind::CliffStack,
+    SceneryKind::Windmill,
+    SceneryKind::Tower,
+    SceneryKind::Aqueduct,
+    SceneryKind::TowerRuin,
+];
+/// Metres from one to the next, the share of places that are empty, the depths between which they stand.
+const CITY_STEP: f32 = 31.0;
+const CITY_GAPS: f32 = 0.25;
+const CITY_DEPTHS: [f32; 2] = [-56.0, -34.0];
+/// Their scales, and how far their feet are above the water.
+const CITY_SCALES: [f32; 2] = [1.2, 2.2];
+const CITY_FEET: [f32; 2] = [0.5, 6.0];
+/// Over which angle they are turned.
+const CITY_TURN: f32 = 1.2;
+
 /// Builds it for a level between two corners, over water of a height.
-pub fn build(min: Vec2, max: Vec2, water: f32) -> Model {
-    let mut model = Model::default();
+pub fn build(kit: &Kit, min: Vec2, max: Vec2, water: f32) -> Model {
+    let mut model = city(kit, min, max, water);
     for (index, row) in ROWS.iter().enumerate() {
         let beyond = 40.0 - row.depth * 0.9;
         let (first, last) = (
@@ -51,6 +73,30 @@ pub fn build(min: Vec2, max: Vec2, water: f32) -> Model {
             let seed = Vec3::new(cell as f32, index as f32, 0.0);
             mesa(row, seed, water, &mut model);
         }
+    }
+    model
+}
+
+/// What is left of the city, from piece to piece.
+fn city(kit: &Kit, min: Vec2, max: Vec2, water: f32) -> Model {
+    let mut model = Model::default();
+    let beyond = 40.0 - CITY_DEPTHS[0] * 0.9;
+    let cells = [min.x - beyond, max.x + beyond].map(|x| (x / CITY_STEP) as i32);
+    for cell in cells[0]..=cells[1] {
+        let chance = |salt: u32| hash(vec3(cell as f32, 7.0, 0.0), 300 + salt);
+        let between = |[low, high]: [f32; 2], salt: u32| low + (high - low) * chance(salt);
+        if chance(0) < CITY_GAPS {
+            continue;
+        }
+        // One after the other, so that no two alike are neighbours.
+        let kind = CITY[cell.rem_euclid(CITY.len() as i32) as usize];
+        let x = (cell as f32 + 0.7 * chance(1)) * CITY_STEP;
+        let foot = vec3(x, water + between(CITY_FEET, 2), between(CITY_DEPTHS, 3));
+        let mirror = if chance(4) < 0.5 { -1.0 } else { 1.0 };
+        let place = Mat4::from_translation(foot)
+            * Mat4::from_rotation_y((chance(5) - 0.5) * CITY_TURN)
+            * Mat4::from_scale(vec3(mirror, 1.0, 1.0) * between(CITY_SCALES, 6));
+        model.add(kit.scenery(kind), place);
     }
     model
 }

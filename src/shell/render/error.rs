@@ -1,11 +1,12 @@
 //! What can go wrong with the picture, in words for the player's screen and the developer's terminal.
 
+use crate::pieces::PiecesError;
 use std::path::PathBuf;
 
 /// Why there is no picture, or no new one.
 #[derive(Debug)]
 pub enum RenderError {
-    /// A shader file cannot be read.
+    /// A shader or a model cannot be read.
     Read {
         /// The file.
         path: PathBuf,
@@ -35,6 +36,8 @@ pub enum RenderError {
         /// What there is: major and minor version.
         found: (u32, u32),
     },
+    /// The set pieces cannot be used.
+    Pieces(PiecesError),
     /// OpenGL refused to make a buffer or a texture.
     Resource(String),
 }
@@ -42,6 +45,12 @@ pub enum RenderError {
 impl From<String> for RenderError {
     fn from(what: String) -> Self {
         RenderError::Resource(what)
+    }
+}
+
+impl From<PiecesError> for RenderError {
+    fn from(error: PiecesError) -> Self {
+        RenderError::Pieces(error)
     }
 }
 
@@ -60,6 +69,7 @@ impl std::fmt::Display for RenderError {
             RenderError::Version {
                 found: (major, minor),
             } => write!(f, "OpenGL 3.3 is needed, this is OpenGL {major}.{minor}"),
+            RenderError::Pieces(error) => write!(f, "{error}"),
             RenderError::Resource(what) => write!(f, "OpenGL: {what}"),
         }
     }

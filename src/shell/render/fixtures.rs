@@ -1,57 +1,85 @@
-//! What features are seen as that are no plain solids: planks, ladders, vines, belts, spikes, checkpoints, triggers.
+//! What features are seen as that are no plain solids: planks, ladders, vines, belts, lodestones, gates, triggers.
 //!
 //! Each shows in the plane of play where it begins and ends to the mover; what it looks like there tells what it does.
 
+use super::dangers;
 use super::frame::PointLight;
+use super::kit::{Kit, Part};
 use super::model::{Model, Paint, hash, paint};
-use super::scenery;
+use super::shards::{DIM, Shards};
 use super::terrain::EDGE;
-use crate::level::{Feature, Kind, Material};
-use glam::{Mat4, Vec2, Vec3};
+use crate::level::{Feature, Kind, Level, Material};
+use glam::{Mat4, Vec2, Vec3, vec3};
 
 /// How far planks and belts reach back, in metres.
 const BACK: f32 = -0.85;
 /// Where ladders stand, just behind the hero.
 const BEHIND: f32 = -0.5;
+/// Where lodestones and gates stand, behind the hero.
+const STONES: f32 = -0.85;
+const GATE: f32 = -1.1;
+/// Longest way of a scaffold's boards without a bracket, in metres.
+const SPAN: f32 = 3.2;
+/// Width of the iron chain and of the ladder, in metres, where the feature is wider.
+const WIDEST: f32 = 1.5;
 
 const PLANK: Paint = paint(0xa47d52).varied(0.16);
 const GRATE: Paint = paint(0x7d6258).varied(0.10);
 const RAIL: Paint = paint(0x6d4d36).varied(0.10);
 const IRON: Paint = paint(0x4b4d55).varied(0.08);
-const VINE: Paint = paint(0x4c6b3c).varied(0.15);
-const LEAF: Paint = paint(0x7fa35a).varied(0.30);
-const THORN: Paint = paint(0x3b2f3a).varied(0.12);
-const TIP: Paint = paint(0xe0563c).glowing(0.35);
 const ARROW: Paint = paint(0xf2b552).glowing(0.55);
-const EYE: Paint = paint(0x7ff0e0).glowing(0.8);
-const SLAB: Paint = paint(0x8d8a8e).varied(0.08);
 
-/// Builds what is to be seen of features beside their solids.
-pub fn build<'a>(features: impl Iterator<Item = &'a Feature>) -> (Model, Vec<PointLight>) {
-    let (mut model, mut lamps) = (Model::default(), Vec::new());
+/// What is built of features.
+#[derive(Default)]
+pub struct Built {
+    /// Their triangles.
+    pub model: Model,
+    /// Their lamps.
+    pub lamps: Vec<PointLight>,
+}
+
+/// Builds what is to be seen of features beside their solids; what floats goes to the shards.
+pub fn build(kit: &Kit, features: &[&Feature], shards: &mut Shards) -> Built {
+    let mut built = Built::default();
     for feature in features {
         match feature.kind {
-            Kind::Solid => solid(feature, &mut model),
-            Kind::OneWay => planks(feature, &mut model),
-            Kind::Ladder => ladder(feature, &mut model),
-            Kind::Hazard => spikes(feature, &mut model),
-            Kind::Checkpoint => lamps.extend(checkpoint(feature, &mut model)),
-            Kind::Trigger => lamps.push(trigger(feature, &mut model)),
+            Kind::Solid => solid(kit, feature, &mut built.model),
+            Kind::OneWay => planks(kit, feature, &mut built.model),
+            Kind::Ladder => ladder(kit, feature, &mut built.model),
+            Kind::Hazard => {
+                let Built { model, lamps } = &mut built;
+                dangers::build(kit, feature, features, model, lamps);
+            }
+            Kind::Checkpoint => checkpoint(kit, feature, &mut built, shards),
+            Kind::Trigger => trigger(kit, feature, &mut built),
             Kind::Secret => {} // what is hidden there is scenery
             Kind::Goal if feature.id.is_empty() => {} // the goal box has its gate
             Kind::Goal => {
                 let (min, max) = bounds(feature);
-                let foot = Vec3::new((min.x + max.x) / 2.0, min.y, -0.9);
-                model.add(&scenery::gate(), Mat4::from_translation(foot));
+                gate(
+                    kit,
+                    Vec2::new((min.x + max.x) / 2.0, min.y),
+                    &mut built,
+                    shards,
+                );
             }
         }
     }
-    (model, lamps)
+    built
+}
+
+/// The gate of a level's goal box.
+pub fn goal(kit: &Kit, level: &Level, shards: &mut Shards) -> Built {
+    let mut built = Built::default();
+    let middle = (level.goal.min.x + level.goal.max.x) / 2.0;
+    let foot = Vec2::new(middle as f32, level.goal.min.y as f32);
+    gate(kit, foot, &mut built, shards);
+    built
 }
 
 /// Corners as pairs, each edge with the outside on its right.
-fn edges(feature: &Feature) -> Vec<(Vec2, Vec2)> {
-    let corners: Vec<Vec2> = feature.outline.iter().map(|p| p.as_vec2()).collect();
+pub fn edges(feature: &Feature) -> Vec<(Vec2, Vec2)> {
+    let corners: Vec<Vec2> = outline(feature).collect();
     let n = corners.len();
     let all = (0..n).map(|i| (corners[i], corners[(i + 1) % n]));
     let area: f32 = all.clone().map(|(a, b)| a.perp_dot(b)).sum();
@@ -61,9 +89,14 @@ fn edges(feature: &Feature) -> Vec<(Vec2, Vec2)> {
     }
 }
 
-fn bounds(feature: &Feature) -> (Vec2, Vec2) {
-    let corners = feature.outline.iter().map(|p| p.as_vec2());
-    corners.fold((Vec2::INFINITY, Vec2::NEG_INFINITY), |(min, max), p| {
+/// The corners of a feature.
+pub fn outline(feature: &Feature) -> impl Iterator<Item = Vec2> + '_ {
+    feature.outline.iter().map(|p| p.as_vec2())
+}
+
+/// The box around a feature: its lower left and upper right corners.
+pub fn bounds(feature: &Feature) -> (Vec2, Vec2) {
+    outline(feature).fold((Vec2::INFINITY, Vec2::NEG_INFINITY), |(min, max), p| {
         (min.min(p), max.max(p))
     })
 }
@@ -73,8 +106,8 @@ fn on(a: Vec2, b: Vec2, share: f32, z: f32) -> Vec3 {
     a.lerp(b, share).extend(z)
 }
 
-/// Arrows along belts, leaves on walls that can be climbed.
-fn solid(feature: &Feature, model: &mut Model) {
+/// Arrows along belts, vines on walls that can be climbed.
+fn solid(kit: &Kit, feature: &Feature, model: &mut Model) {
     for (a, b) in edges(feature) {
         let along = (b - a).normalize_or_zero();
         let outward = -along.perp();
@@ -82,7 +115,7 @@ fn solid(feature: &Feature, model: &mut Model) {
             belt(a, b, feature.conveyor as f32, model);
         }
         if feature.climbable && outward.y.abs() < 0.7 {
-            vines(a, b, outward, model);
+            vines(kit, a, b, outward, model);
         }
     }
 }
@@ -108,35 +141,35 @@ fn belt(a: Vec2, b: Vec2, speed: f32, model: &mut Model) {
     }
 }
 
-/// Stems up a wall, leaves to both sides and into the open.
-fn vines(a: Vec2, b: Vec2, outward: Vec2, model: &mut Model) {
-    for stem in 0..3 {
-        let z = 0.3 - 0.42 * stem as f32;
-        let from = on(a, b, 0.0, z) + outward.extend(0.0) * 0.03;
-        let to = on(a, b, 1.0, z) + outward.extend(0.0) * 0.03;
-        model.beam(from, to, 0.035, VINE);
-        let count = (a.distance(b) / 0.16) as u32;
-        for leaf in 0..count {
-            let root = from.lerp(to, (leaf as f32 + 0.5) / count as f32);
-            let chance = |salt: u32| hash(root, 200 + salt) - 0.5;
-            let size = 0.2 + 0.12 * chance(0);
-            let out = outward.extend(0.0) * (0.1 + 0.1 * chance(1));
-            let aside = Vec3::new(0.0, 0.5 * chance(2), chance(3)).normalize_or_zero() * size;
-            let tip = root + out + aside - Vec3::Y * 0.08;
-            let broad = out.cross(aside).normalize_or_zero() * 0.07;
-            model.blade([root - broad, root + broad, tip], LEAF);
-            model.blade([root + broad, root - broad, tip], LEAF);
-        }
+/// Vines up a wall, one metre on the other, their leaves in the open.
+fn vines(kit: &Kit, a: Vec2, b: Vec2, outward: Vec2, model: &mut Model) {
+    let (foot, top) = if a.y < b.y { (a, b) } else { (b, a) };
+    let length = foot.distance(top);
+    let count = length.round().max(1.0);
+    let up = (top - foot) / length.max(f32::EPSILON);
+    // The piece's front looks out of the wall, its width runs into the depth.
+    let across = if outward.x > 0.0 {
+        Vec3::NEG_Z
+    } else {
+        Vec3::Z
+    };
+    for i in 0..count as u32 {
+        let root = on(foot, top, i as f32 / count, 0.0) + outward.extend(0.0) * 0.02;
+        let place = Mat4::from_cols(
+            (across * if i % 2 == 0 { 1.0 } else { 0.9 }).extend(0.0),
+            (up * length / count).extend(0.0).extend(0.0),
+            outward.extend(0.0).extend(0.0),
+            root.extend(1.0),
+        );
+        model.add(kit.part(Part::VineMetre), place);
     }
 }
 
-/// Boards on two runners; of iron, a grate.
-fn planks(feature: &Feature, model: &mut Model) {
-    let (board, runner) = match feature.material {
-        Material::Iron => (GRATE, IRON),
-        Material::Rock | Material::Masonry | Material::Timber => (PLANK, RAIL),
-    };
-    let corners: Vec<Vec2> = feature.outline.iter().map(|p| p.as_vec2()).collect();
+/// Boards on two runners, on brackets where they are of timber; of iron, a grate that hangs on chains.
+fn planks(kit: &Kit, feature: &Feature, model: &mut Model) {
+    let iron = feature.material == Material::Iron;
+    let (board, runner) = if iron { (GRATE, IRON) } else { (PLANK, RAIL) };
+    let corners: Vec<Vec2> = outline(feature).collect();
     for pair in corners.windows(2) {
         let (a, b) = (pair[0], pair[1]);
         let down = Vec3::from(((b - a).normalize_or_zero().perp() * -0.09, 0.0));
@@ -156,111 +189,150 @@ fn planks(feature: &Feature, model: &mut Model) {
             let at = |p: Vec2| p.extend(z) + down * 1.8;
             model.beam(at(a), at(b), 0.055, runner);
         }
-    }
-}
-
-/// Two rails and rungs, as wide and high as the outline's box.
-fn ladder(feature: &Feature, model: &mut Model) {
-    let paint = match feature.material {
-        Material::Iron => IRON,
-        Material::Rock | Material::Masonry | Material::Timber => RAIL,
-    };
-    let (min, max) = bounds(feature);
-    let inset = 0.08f32.min((max.x - min.x) / 4.0);
-    for x in [min.x + inset, max.x - inset] {
-        let (foot, top) = (Vec2::new(x, min.y), Vec2::new(x, max.y));
-        model.beam(foot.extend(BEHIND), top.extend(BEHIND), 0.055, paint);
-    }
-    let count = ((max.y - min.y) / 0.34) as u32;
-    for i in 0..count {
-        let y = min.y + 0.34 * (i as f32 + 0.6);
-        let [a, b] = [min.x, max.x].map(|x| Vec3::new(x, y, BEHIND + 0.03));
-        model.beam(a, b, 0.035, PLANK);
-    }
-}
-
-/// Rows of thorns, as high as the outline's box.
-fn spikes(feature: &Feature, model: &mut Model) {
-    let (min, max) = bounds(feature);
-    let count = ((max.x - min.x) / 0.42).max(1.0) as u32;
-    for i in 0..count {
-        for (row, z) in [0.25f32, -0.25, -0.7].into_iter().enumerate() {
-            let x = min.x + (max.x - min.x) * (i as f32 + 0.5) / count as f32;
-            let foot = Vec3::new(x + 0.1 * row as f32 - 0.1, min.y, z);
-            let height = (max.y - min.y) * (0.75 + 0.25 * hash(foot, 220));
-            let (waist, radius) = (height * 0.72, 0.15);
-            model.lathe(foot, 5, &[(0.0, radius), (waist, radius * 0.3)], THORN);
-            model.lathe(foot, 5, &[(waist, radius * 0.3), (height, 0.0)], TIP);
+        let spans = (a.distance(b) / SPAN).ceil().max(1.0);
+        for i in 0..=spans as u32 {
+            // The outermost stand a little within the ends.
+            let share = (i as f32 / spans).clamp(0.12, 0.88);
+            let head = on(a, b, share, BACK + 0.25) - Vec3::Y * 0.10;
+            model.add(kit.part(Part::Bracket), Mat4::from_translation(head));
         }
     }
 }
 
-/// A lantern with a banner where the hero comes back.
-fn checkpoint(feature: &Feature, model: &mut Model) -> Option<PointLight> {
-    let foot = feature.respawn?.as_vec2().extend(-0.6);
-    model.add(&scenery::checkpoint(), Mat4::from_translation(foot));
-    Some(PointLight {
-        at: foot + Vec3::new(0.42, 2.0, 0.35),
-        reach: 8.0,
-        colour: Vec3::new(2.4, 1.5, 0.8),
-    })
+/// A ladder of timber, a chain of iron, vines at rock: as wide and high as the outline's box.
+fn ladder(kit: &Kit, feature: &Feature, model: &mut Model) {
+    let part = match feature.material {
+        Material::Iron => Part::ChainMetre,
+        Material::Timber | Material::Masonry => Part::LadderMetre,
+        Material::Rock => Part::VineMetre,
+    };
+    let (min, max) = bounds(feature);
+    let (width, height) = (max.x - min.x, max.y - min.y);
+    // Chains keep their shape, and vines grow side by side where there is room.
+    let columns = match part {
+        Part::VineMetre => width.round().max(1.0),
+        _ => 1.0,
+    };
+    let wide = match part {
+        Part::ChainMetre => 1.0,
+        _ => (width / columns).min(WIDEST),
+    };
+    let rows = height.round().max(1.0);
+    for column in 0..columns as u32 {
+        for row in 0..rows as u32 {
+            let x = min.x + width * (column as f32 + 0.5) / columns;
+            let foot = vec3(x, min.y + height * row as f32 / rows, BEHIND);
+            let mirror = if part == Part::VineMetre && (row + column) % 2 == 1 {
+                -1.0
+            } else {
+                1.0
+            };
+            let size = vec3(wide * mirror, height / rows, 1.0);
+            let place = Mat4::from_translation(foot) * Mat4::from_scale(size);
+            model.add(kit.part(part), place);
+        }
+    }
+    if part == Part::ChainMetre {
+        // What it hangs from.
+        let top = vec3((min.x + max.x) / 2.0, max.y, BEHIND);
+        model.beam(top - Vec3::X * 0.45, top + Vec3::X * 0.45, 0.07, IRON);
+    }
 }
 
-/// A stone with an eye, on the lower edge of the outline's box.
-fn trigger(feature: &Feature, model: &mut Model) -> PointLight {
+/// A lodestone where the hero comes back, its shard floating over it.
+fn checkpoint(kit: &Kit, feature: &Feature, built: &mut Built, shards: &mut Shards) {
+    let Some(respawn) = feature.respawn else {
+        return;
+    };
+    let foot = respawn.as_vec2().extend(STONES);
+    let place = Mat4::from_translation(foot);
+    built.model.add(kit.part(Part::Lodestone), place);
+    let lights = kit.part_lights(Part::Lodestone, place);
+    built.lamps.extend(lights.iter().map(|light| PointLight {
+        colour: light.colour * DIM,
+        ..*light
+    }));
+    shards.lodestone(respawn, foot, lights.first().copied());
+}
+
+/// The gate, its light apart.
+fn gate(kit: &Kit, foot: Vec2, built: &mut Built, shards: &mut Shards) {
+    let foot = foot.extend(GATE);
+    let place = Mat4::from_translation(foot);
+    built.model.add(kit.part(Part::Gate), place);
+    built.lamps.extend(kit.part_lights(Part::Gate, place));
+    shards.gate(foot);
+}
+
+/// A stone with an eye, in the middle of the lower edge of the outline's box.
+fn trigger(kit: &Kit, feature: &Feature, built: &mut Built) {
     let (min, max) = bounds(feature);
-    let foot = Vec3::new((min.x + max.x) / 2.0, min.y, BEHIND);
-    let half = ((max.x - min.x) / 2.0).max(0.1);
-    model.block(foot, (half, 0.3), (half * 0.92, 0.26), 0.07, SLAB);
-    model.block(foot, (0.24, 0.2), (0.18, 0.15), 1.0, SLAB);
-    let stone = [(0.0, 0.0), (0.16, 0.14), (0.36, 0.0)];
-    model.lathe(foot + Vec3::Y * 1.06, 6, &stone, EYE);
-    PointLight {
-        at: foot + Vec3::new(0.0, 1.2, 0.5),
-        reach: 5.0,
-        colour: Vec3::new(0.2, 1.1, 1.0),
-    }
+    let foot = vec3((min.x + max.x) / 2.0, min.y, BEHIND - 0.1);
+    let place = Mat4::from_translation(foot);
+    built.model.add(kit.part(Part::Pedestal), place);
+    built.lamps.extend(kit.part_lights(Part::Pedestal, place));
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::kit::tests::kit;
     use super::super::model::VERTEX_WORDS;
     use super::*;
     use glam::DVec2;
 
-    fn places(kind: Kind, climbable: bool) -> Vec<Vec3> {
+    fn places(kind: Kind, material: Material, climbable: bool) -> Vec<Vec3> {
+        let line = [(2.0, 4.0), (5.0, 4.0)].as_slice();
+        let square = [(2.0, 1.0), (5.0, 1.0), (5.0, 4.0), (2.0, 4.0)].as_slice();
+        let corners = if kind == Kind::OneWay { line } else { square };
         let feature = Feature {
             kind,
+            material,
             climbable,
-            outline: [(2.0, 1.0), (5.0, 1.0), (5.0, 4.0), (2.0, 4.0)]
-                .map(DVec2::from)
-                .to_vec(),
+            outline: corners.iter().copied().map(DVec2::from).collect(),
             respawn: Some(DVec2::new(3.0, 1.0)),
             ..Feature::default()
         };
-        let (model, _) = build(std::iter::once(&feature));
+        let kit = kit();
+        let built = build(&kit, &[&feature], &mut Shards::new(&kit));
         let place = |v: &[u32]| Vec3::from_array([0, 1, 2].map(|i| f32::from_bits(v[i])));
-        model.words.chunks_exact(VERTEX_WORDS).map(place).collect()
+        let words = built.model.words.chunks_exact(VERTEX_WORDS);
+        words.map(place).collect()
     }
 
     #[test]
     fn whatever_a_body_can_meet_is_seen_and_stays_near_its_outline() {
-        for kind in [Kind::OneWay, Kind::Ladder, Kind::Hazard, Kind::Trigger] {
-            let places = places(kind, false);
-            assert!(places.len() > 30, "{kind:?}");
-            for p in places {
-                let near = (1.7..=5.3).contains(&p.x) && (0.7..=4.3).contains(&p.y);
-                assert!(near && p.z < EDGE + 0.1, "{kind:?}: {p}");
+        for kind in [Kind::Ladder, Kind::Hazard, Kind::Trigger] {
+            for material in [Material::Rock, Material::Timber, Material::Iron] {
+                let places = places(kind, material, false);
+                assert!(places.len() > 30, "{kind:?}");
+                for p in places {
+                    let near = (1.7..=5.3).contains(&p.x) && (0.7..=4.3).contains(&p.y);
+                    assert!(near && p.z < EDGE + 0.1, "{kind:?}: {p}");
+                }
             }
         }
-        assert!(places(Kind::Checkpoint, false).len() > 100);
+        assert!(places(Kind::Checkpoint, Material::Rock, false).len() > 100);
+        // Boards lie on the line; what carries them hangs below.
+        let boards = places(Kind::OneWay, Material::Timber, false);
+        assert!(boards.len() > 30);
+        assert!(boards.iter().all(|p| p.y <= 4.05 && p.z < EDGE + 0.1));
+    }
+
+    #[test]
+    fn ladders_of_different_materials_look_different() {
+        let counts = [Material::Rock, Material::Timber, Material::Iron]
+            .map(|material| places(Kind::Ladder, material, false).len());
+        assert!(
+            counts[0] != counts[1] && counts[1] != counts[2] && counts[0] != counts[2],
+            "{counts:?}"
+        );
     }
 
     #[test]
     fn vines_grow_on_walls_that_can_be_climbed_and_on_no_others() {
-        assert!(places(Kind::Solid, false).is_empty());
-        let leaves = places(Kind::Solid, true);
+        assert!(places(Kind::Solid, Material::Rock, false).is_empty());
+        let leaves = places(Kind::Solid, Material::Rock, true);
         assert!(leaves.len() > 300);
-        assert!(leaves.iter().all(|p| p.x < 2.2 || p.x > 4.8));
+        assert!(leaves.iter().all(|p| p.x < 2.25 || p.x > 4.75));
     }
 }

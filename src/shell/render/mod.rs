@@ -7,6 +7,7 @@ mod air;
 mod backdrop;
 mod canvas;
 mod carried;
+mod dangers;
 mod debug;
 mod error;
 mod facets;
@@ -14,13 +15,16 @@ mod fixtures;
 mod frame;
 pub(in crate::shell) mod gl;
 mod growth;
+mod guides;
 mod hero;
+mod kit;
 mod lamps;
 mod model;
 pub(in crate::shell) mod program;
 mod quality;
 mod scene;
 mod scenery;
+mod shards;
 pub(in crate::shell) mod state;
 mod surface;
 mod terrain;
@@ -40,9 +44,11 @@ use frame::FrameBlock;
 use gl::{Geometry, Gl, Program, Uniforms};
 use glam::Vec4;
 use hero::Hero;
+use kit::Kit;
 use program::Library;
 use quality::Quality;
 use scene::{Chunk, Scene};
+use shards::Shards;
 use state::{Blend, Cull, Depth, Format};
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
@@ -70,7 +76,9 @@ pub struct Renderer {
     whole: Geometry,
     world: Geometry,
     chunks: Vec<Chunk>,
+    kit: Kit,
     carried: Carried,
+    shards: Shards,
     movers: Geometry,
     figure: Geometry,
     hero: Hero,
@@ -119,11 +127,16 @@ impl Programs {
 }
 
 impl Renderer {
-    /// Compiles the shaders of a directory and makes the buffers; draws an empty world until a stage is set.
+    /// Compiles the shaders of a directory, reads the models of another and makes the buffers; draws an empty world until a
+    /// stage is set.
     ///
     /// # Errors
-    /// OpenGL is older than 3.3, a shader file is missing or wrong, or OpenGL is out of memory.
-    pub fn new(ctx: Rc<glow::Context>, shader_dir: &Path) -> Result<Renderer, RenderError> {
+    /// OpenGL is older than 3.3, a file is missing or wrong, or OpenGL is out of memory.
+    pub fn new(
+        ctx: Rc<glow::Context>,
+        shader_dir: &Path,
+        models: &Path,
+    ) -> Result<Renderer, RenderError> {
         let gl = Gl::new(ctx);
         if gl.version() < (3, 3) {
             return Err(RenderError::Version {
@@ -147,7 +160,9 @@ impl Renderer {
             quality,
             world: gl.geometry(&VERTEX, false)?,
             chunks: Vec::new(),
+            kit: Kit::load(models)?,
             carried: Carried::default(),
+            shards: Shards::default(),
             movers: gl.geometry(&VERTEX, false)?,
             figure,
             hero: Hero::default(),
@@ -165,12 +180,13 @@ impl Renderer {
 
     /// Replaces the world by that of a stage.
     pub fn set_stage(&mut self, stage: &Stage) {
-        let scene = Scene::of(stage);
+        self.shards = Shards::new(&self.kit);
+        let scene = Scene::of(stage, &self.kit, &mut self.shards);
         self.world.upload(&scene.words);
         self.water.upload(&scene.water_words);
         self.water_height = scene.water;
         self.chunks = scene.chunks;
-        self.carried = Carried::of(stage);
+        self.carried = Carried::of(stage, &self.kit);
         self.lamps = scene.lamps;
         self.gate = scene.gate;
     }
@@ -257,17 +273,22 @@ impl Renderer {
         hero::write_parts(&pose, foot, &mut self.words);
         self.part_uniforms.upload(&self.words);
         self.carried.write(frame.offsets, &mut self.words);
+        let aim = frame.camera.target;
+        self.shards
+            .write(frame.view, aim, frame.time, &mut self.words);
         self.movers.upload(&self.words);
         self.air.upload(&self.lit, &mut self.words);
         self.debug.upload(frame.lines, frame.tris, &mut self.words);
         block
     }
 
-    /// Chooses the lamps of a picture: the hero's always, the gate's second light once it is reached, then the nearest.
+    /// Chooses the lamps of a picture: the hero's always, the checkpoint's that holds, the gate's second light once it is
+    /// reached, then the nearest.
     fn light(&mut self, frame: &Frame, hero: PointLight) {
         self.lit.clear();
         lamps::choose(&self.lamps, frame.camera.target, &mut self.lit);
-        self.lit.truncate(frame::MAX_LIGHTS - 2);
+        self.lit.truncate(frame::MAX_LIGHTS - 3);
+        self.lit.extend(self.shards.light(frame.view));
         if let (Some(at), Some(gate)) = (frame.view.won_at, self.gate) {
             let share = (frame.view.time - at).clamp(0.0, 1.0) as f32;
             self.lit.push(PointLight {

@@ -5,6 +5,11 @@ use glam::{Mat4, Vec3};
 /// Words of one vertex: position, normal, colour and shade, traits.
 pub const VERTEX_WORDS: usize = 6;
 
+/// Which of them are the normal, the colour and the traits.
+const NORMAL: usize = 3;
+const COLOUR: usize = 4;
+const TRAITS: usize = 5;
+
 /// What a surface looks like.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Paint {
@@ -48,11 +53,6 @@ impl Paint {
         Paint { part, ..self }
     }
 
-    /// The same, moved by the wind.
-    pub const fn swaying(self, sway: f32) -> Paint {
-        Paint { sway, ..self }
-    }
-
     /// The same, with facets that differ more or less.
     pub const fn varied(self, variety: f32) -> Paint {
         Paint { variety, ..self }
@@ -78,8 +78,21 @@ pub fn hash(p: Vec3, salt: u32) -> f32 {
     (h >> 8) as f32 / (1 << 24) as f32
 }
 
+/// A corner of a facet whose light was worked out before.
+#[derive(Clone, Copy, Debug)]
+pub struct Corner {
+    /// Its place.
+    pub at: Vec3,
+    /// Its colour as on the screen (sRGB), 0 to 1.
+    pub colour: Vec3,
+    /// The share of the sky that it sees.
+    pub open: f32,
+    /// How far the wind moves it, 0 to 1.
+    pub sway: f32,
+}
+
 /// Triangles under construction, in the words that go to the GPU.
-#[derive(Default)]
+#[derive(Clone, Default)]
 pub struct Model {
     /// [`VERTEX_WORDS`] words for each corner of each triangle.
     pub words: Vec<u32>,
@@ -103,6 +116,47 @@ impl Model {
             self.words.push(pack_signed(normal));
             self.words.push(pack([colour.x, colour.y, colour.z, shade]));
             self.words.push(traits);
+        }
+    }
+
+    /// A facet, counter-clockwise seen from its front, with the colours of its corners; `glow` is the share of them that
+    /// shines by itself. A facet without area is left out.
+    pub fn shaded(&mut self, corners: [Corner; 3], glow: f32) {
+        let before = self.words.len();
+        self.facet(
+            corners.map(|corner| corner.at),
+            corners.map(|corner| corner.open),
+            paint(0),
+        );
+        let vertices = self.words[before..].chunks_exact_mut(VERTEX_WORDS);
+        for (
+            vertex,
+            Corner {
+                colour, open, sway, ..
+            },
+        ) in vertices.zip(corners)
+        {
+            vertex[COLOUR] = pack(colour.extend(open).to_array());
+            vertex[TRAITS] = pack([glow, sway, 0.0, 0.0]);
+        }
+    }
+
+    /// Appends its vertices to others, moved and shining as given.
+    pub fn write(&self, place: Mat4, glow: f32, words: &mut Vec<u32>) {
+        for vertex in self.words.chunks_exact(VERTEX_WORDS) {
+            let at = Vec3::from_array([0, 1, 2].map(|i| f32::from_bits(vertex[i])));
+            let normal = place.transform_vector3(unpack_signed(vertex[NORMAL]));
+            let [_, sway, part, rest] = vertex[TRAITS].to_ne_bytes().map(|b| f32::from(b) / 255.0);
+            let start = words.len();
+            words.extend(vertex);
+            for (word, c) in words[start..]
+                .iter_mut()
+                .zip(place.transform_point3(at).to_array())
+            {
+                *word = c.to_bits();
+            }
+            words[start + NORMAL] = pack_signed(normal.normalize_or_zero());
+            words[start + TRAITS] = pack([glow, sway, part, rest]);
         }
     }
 
@@ -285,6 +339,26 @@ mod tests {
         mirrored.add(&block, Mat4::from_scale(Vec3::new(-1.0, 1.0, 1.0)));
         assert!((volume(&mirrored) - 12.0).abs() < 1e-4);
         assert_eq!(mirrored.words.len(), block.words.len());
+    }
+
+    #[test]
+    fn what_is_written_is_moved_and_shines_as_told() {
+        let corner = |x: f32, y: f32| Corner {
+            at: Vec3::new(x, y, 0.0),
+            colour: Vec3::new(1.0, 0.5, 0.0),
+            open: 0.5,
+            sway: 0.25,
+        };
+        let mut model = Model::default();
+        model.shaded([corner(0.0, 0.0), corner(1.0, 0.0), corner(0.0, 1.0)], 1.0);
+        let mut words = vec![7];
+        model.write(Mat4::from_rotation_y(std::f32::consts::PI), 0.5, &mut words);
+        assert_eq!(words.len(), 1 + 3 * VERTEX_WORDS);
+        let second = &words[1 + VERTEX_WORDS..];
+        assert!((f32::from_bits(second[0]) + 1.0).abs() < 1e-6);
+        assert!(unpack_signed(second[NORMAL]).distance(Vec3::NEG_Z) < 1e-2);
+        assert_eq!(second[COLOUR].to_ne_bytes(), [255, 128, 0, 128]);
+        assert_eq!(second[TRAITS].to_ne_bytes(), [128, 64, 0, 0]);
     }
 
     #[test]

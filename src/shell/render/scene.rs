@@ -1,10 +1,13 @@
 //! A stage as triangles: everything that stands still, cut into chunks that can be skipped when out of sight.
 
 use super::frame::PointLight;
+use super::kit::Kit;
 use super::model::{Model, VERTEX_WORDS};
-use super::{backdrop, fixtures, scenery, terrain, water};
+use super::shards::Shards;
+use super::{backdrop, fixtures, guides, scenery, terrain, water};
 use crate::game::Stage;
 use crate::geom::Collider;
+use crate::level::Feature;
 use glam::{Vec2, Vec3};
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -43,8 +46,8 @@ pub struct Scene {
 }
 
 impl Scene {
-    /// Builds the scene of a stage.
-    pub fn of(stage: &Stage) -> Scene {
+    /// Builds the scene of a stage; what floats in it goes to the shards.
+    pub fn of(stage: &Stage, kit: &Kit, shards: &mut Shards) -> Scene {
         let outlines = stage
             .meshes(&Collider::point())
             .expect("the stage was built with the mesh of its outlines");
@@ -57,14 +60,16 @@ impl Scene {
             (min.min(p), max.max(p))
         });
         let water = stage.level.bottom as f32 + WATER;
-        let (things, mut lamps) = scenery::build(&stage.level);
+        let (things, mut lamps) = scenery::build(kit, &stage.level);
         let moves = |id| outlines.movers.iter().any(|m| m.kind_of(id).is_some());
         let still = stage.features().filter(|&(id, _)| !moves(id));
-        let (fixtures, more) = fixtures::build(still.map(|(_, feature)| feature));
-        lamps.extend(more);
+        let still: Vec<&Feature> = still.map(|(_, feature)| feature).collect();
+        let fixtures = fixtures::build(kit, &still, shards);
+        let goal = fixtures::goal(kit, &stage.level, shards);
+        lamps.extend(fixtures.lamps.iter().chain(&goal.lamps));
         let water_words = water::corners(min, max, water);
         let mut scene = Scene {
-            gate: Some(scenery::gate_light(&stage.level, 0.9)),
+            gate: goal.lamps.first().copied(),
             lamps,
             water,
             water_words,
@@ -73,8 +78,10 @@ impl Scene {
         let solids = terrain::solids(&outlines.level, stage);
         scene.add(&terrain::build(&solids), NEAR_CHUNK);
         scene.add(&things, NEAR_CHUNK);
-        scene.add(&fixtures, NEAR_CHUNK);
-        scene.add(&backdrop::build(min, max, water), FAR_CHUNK);
+        scene.add(&fixtures.model, NEAR_CHUNK);
+        scene.add(&goal.model, NEAR_CHUNK);
+        scene.add(&guides::build(kit, &stage.level.movers), NEAR_CHUNK);
+        scene.add(&backdrop::build(kit, min, max, water), FAR_CHUNK);
         scene
     }
 

@@ -14,7 +14,7 @@ use crate::mesh::{Kind, Mesh};
 use glam::{DVec2, Vec3};
 
 /// Depth of the fronts, and of the rim around them, in metres.
-const FRONT: f32 = 0.75;
+pub const FRONT: f32 = 0.75;
 const RIM: f32 = 0.24;
 /// Depth at which the walls end in front: what stands on the ground stands behind it.
 pub const EDGE: f32 = FRONT - RIM;
