@@ -33,6 +33,7 @@ const TESTS: &[Test] = &[
     ("any size", any_size),
     ("a broken shader names file and line", a_broken_shader),
     ("a missing shader is named", a_missing_shader),
+    ("a missing or broken model is named", a_broken_model),
 ];
 
 /// The driver is chosen by the environment of a fresh process; in there the tests run in order.
@@ -434,4 +435,21 @@ fn a_missing_shader(studio: &Studio) {
         .err()
         .expect("a file is missing");
     assert!(error.to_string().contains("tone.glsl"), "{error}");
+}
+
+fn a_broken_model(studio: &Studio) {
+    let complaint = |models: &Path| {
+        let made = Renderer::new(studio.gl.clone(), &root().join("shaders"), models);
+        made.err().expect("there are no models").to_string()
+    };
+    let file = studio.folder.join("pieces.glb");
+    let missing = complaint(&studio.folder);
+    assert!(
+        missing.starts_with(&format!("{}: ", file.display())),
+        "{missing}"
+    );
+    let whole = fs::read(models().join("pieces.glb")).unwrap();
+    fs::write(&file, &whole[..whole.len() / 2]).unwrap();
+    let cut = complaint(&studio.folder);
+    assert!(cut.starts_with(&format!("{}: ", file.display())), "{cut}");
 }

@@ -20,6 +20,9 @@ const STONES: f32 = -0.85;
 const GATE: f32 = -1.1;
 /// Longest way of a scaffold's boards without a bracket, in metres.
 const SPAN: f32 = 3.2;
+/// Width of the vines that hang over the front of a wall that can be climbed, and their depth, just before the rim.
+const DRAPE: f32 = 0.62;
+const DRAPED: f32 = 0.66;
 /// Width of the iron chain and of the ladder, in metres, where the feature is wider.
 const WIDEST: f32 = 1.5;
 
@@ -141,27 +144,35 @@ fn belt(a: Vec2, b: Vec2, speed: f32, model: &mut Model) {
     }
 }
 
-/// Vines up a wall, one metre on the other, their leaves in the open.
+/// Vines up a wall, one metre on the other: on the wall itself, and around its edge on the front, where they are seen best.
 fn vines(kit: &Kit, a: Vec2, b: Vec2, outward: Vec2, model: &mut Model) {
     let (foot, top) = if a.y < b.y { (a, b) } else { (b, a) };
     let length = foot.distance(top);
     let count = length.round().max(1.0);
     let up = (top - foot) / length.max(f32::EPSILON);
-    // The piece's front looks out of the wall, its width runs into the depth.
+    // On the wall the piece's front looks out of it and its width runs into the depth; on the front it looks at the viewer.
     let across = if outward.x > 0.0 {
         Vec3::NEG_Z
     } else {
         Vec3::Z
     };
+    let right = Vec2::new(up.y, -up.x);
     for i in 0..count as u32 {
-        let root = on(foot, top, i as f32 / count, 0.0) + outward.extend(0.0) * 0.02;
-        let place = Mat4::from_cols(
-            (across * if i % 2 == 0 { 1.0 } else { 0.9 }).extend(0.0),
-            (up * length / count).extend(0.0).extend(0.0),
-            outward.extend(0.0).extend(0.0),
-            root.extend(1.0),
-        );
-        model.add(kit.part(Part::VineMetre), place);
+        let root = on(foot, top, i as f32 / count, 0.0);
+        let mut add = |width: Vec3, front: Vec3, at: Vec3| {
+            let place = Mat4::from_cols(
+                width.extend(0.0),
+                (up * length / count).extend(0.0).extend(0.0),
+                front.extend(0.0),
+                at.extend(1.0),
+            );
+            model.add(kit.part(Part::VineMetre), place);
+        };
+        let wall = outward.extend(0.0);
+        add(across, wall, root + wall * 0.02);
+        let mirror = if i % 2 == 0 { DRAPE } else { -DRAPE };
+        let edge = root - wall * DRAPE * 0.4 + Vec3::Z * DRAPED;
+        add(right.extend(0.0) * mirror, Vec3::Z, edge);
     }
 }
 
@@ -333,6 +344,14 @@ mod tests {
         assert!(places(Kind::Solid, Material::Rock, false).is_empty());
         let leaves = places(Kind::Solid, Material::Rock, true);
         assert!(leaves.len() > 300);
-        assert!(leaves.iter().all(|p| p.x < 2.25 || p.x > 4.75));
+        // On the front, before the hero, they may reach over the stone.
+        let beside = |p: &&Vec3| p.z < EDGE;
+        assert!(
+            leaves
+                .iter()
+                .filter(beside)
+                .all(|p| p.x < 2.25 || p.x > 4.75)
+        );
+        assert!(leaves.iter().all(|p| p.x < 2.9 || p.x > 4.1));
     }
 }
