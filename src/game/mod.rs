@@ -7,22 +7,28 @@ mod blend;
 pub mod camera;
 pub mod framing;
 mod meshes;
+mod moves;
 mod paths;
 pub mod replay;
 mod rules;
 mod run;
 mod snapshot;
+mod soles;
 mod stage;
 mod world;
 
 pub use meshes::{Meshes, Shape};
+pub use moves::Sights;
 pub use replay::{Replay, ReplayError};
 pub use run::Run;
 pub use snapshot::{RestoreError, Snapshot};
+pub use soles::Soles;
 pub use stage::{Edit, EditError, Land, Stage, StageError};
 pub use world::{Actor, AddError, World};
 
+use crate::anim::Leap;
 use crate::level::Material;
+use crate::motion::Grip;
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
@@ -84,8 +90,18 @@ pub struct View {
     pub facing: f64,
     /// What the ground or wall in contact is made of.
     pub material: Option<Material>,
-    /// Simulated time of the last take-off, landing.
+    /// What he holds on to, on a wall.
+    pub grip: Grip,
+    /// Velocity of what carries him: of a mover, of a belt.
+    pub carried: DVec2,
+    /// Height over the foot of the ledge from which he hangs or onto which he climbs, m; else 0.
+    pub ledge: f64,
+    /// Simulated time of the last take-off.
     pub left_at: f64,
+    /// How that was.
+    pub leap: Leap,
+    /// Simulated time when he last took hold of something, or began to climb it.
+    pub held_at: f64,
     /// Simulated time of the last landing.
     pub landed_at: f64,
     /// Speed into the ground at the last landing, m/s.

@@ -6,9 +6,10 @@
 
 use super::Input;
 use super::world::{HERO, World};
+use crate::anim::Leap;
 use crate::level::Kind;
 use crate::mesh::FeatureId;
-use crate::motion::{Body, Event, EventKind, Trace};
+use crate::motion::{Body, Event, EventKind, Grip, Trace};
 use std::sync::Arc;
 
 /// How often a tick may be cut. Only a hero who dies as soon as he comes back needs more; he dies again in the next.
@@ -194,8 +195,18 @@ impl World {
         for Event { time, kind } in events {
             match *kind {
                 EventKind::Landed(speed) => (state.landed_at, state.landed_speed) = (*time, speed),
-                EventKind::Jumped | EventKind::WallJumped | EventKind::Left => {
-                    state.left_at = *time;
+                EventKind::Jumped => (state.left_at, state.leap) = (*time, Leap::Jumped),
+                EventKind::WallJumped => (state.left_at, state.leap) = (*time, Leap::OffWall),
+                EventKind::Left | EventKind::Dropped => {
+                    (state.left_at, state.leap) = (*time, Leap::Walked);
+                }
+                EventKind::Grabbed => state.held_at = *time,
+                EventKind::Climbed => {
+                    let body = &state.actors[HERO].body;
+                    state.held_at = *time;
+                    if body.grip() == Grip::Over {
+                        state.ledge_at = body.position().y + state.tuning.ledge_hang;
+                    }
                 }
                 _ => {}
             }

@@ -3,6 +3,7 @@
 use super::meshes::Shape;
 use super::stage::{Edit, EditError, Land, Stage};
 use super::world::{Actor, World};
+use crate::anim::Leap;
 use crate::mesh::{FeatureId, MeshError};
 use crate::motion::{Body, Control, Trace};
 use crate::tune::Motion;
@@ -42,6 +43,13 @@ pub(super) struct State {
     // What has come of it so far.
     pub facing: f64,
     pub left_at: f64,
+    #[serde(default)]
+    pub leap: Leap,
+    #[serde(default)]
+    pub held_at: f64,
+    /// Height of the ledge that was taken hold of last, m.
+    #[serde(default)]
+    pub ledge_at: f64,
     pub landed_at: f64,
     pub landed_speed: f64,
     pub won_at: Option<f64>,
@@ -73,6 +81,9 @@ impl State {
             doomed: false,
             facing: 1.0,
             left_at: 0.0,
+            leap: Leap::Walked,
+            held_at: 0.0,
+            ledge_at: 0.0,
             landed_at: 0.0,
             landed_speed: 0.0,
             won_at: None,

@@ -4,9 +4,10 @@ use super::meshes::Shape;
 use super::snapshot::State;
 use super::stage::{Edit, EditError, Land, Stage};
 use super::{Input, Stance, View};
+use crate::anim::Leap;
 use crate::level::{Feature, Kind};
 use crate::mesh::{Mesh, MeshError};
-use crate::motion::{Body, Control, EventKind, Mode, Size, SpawnError, Trace, check};
+use crate::motion::{Body, Control, EventKind, Grip, Mode, Size, SpawnError, Trace, check};
 use crate::tune::{Motion, Tuning};
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
@@ -246,7 +247,12 @@ impl World {
             crouched: hero.size() == Size::Crouch,
             facing: state.facing,
             material: self.underfoot().map(|feature| feature.material),
+            grip: hero.grip(),
+            carried: self.carried(),
+            ledge: self.ledge(),
             left_at: state.left_at,
+            leap: state.leap,
+            held_at: state.held_at,
             landed_at: state.landed_at,
             landed_speed: state.landed_speed,
             won_at: state.won_at,
@@ -378,7 +384,12 @@ impl View {
             crouched: false,
             facing: 1.0,
             material: None,
+            grip: Grip::None,
+            carried: DVec2::ZERO,
+            ledge: 0.0,
             left_at: 0.0,
+            leap: Leap::Walked,
+            held_at: 0.0,
             landed_at: 0.0,
             landed_speed: 0.0,
             won_at: None,

@@ -50,5 +50,6 @@ pub mod wall;
 
 pub use body::{Body, Control, Event, EventKind, Mode, Size, SpawnError, Trace};
 pub use edit::Anchor;
+pub use grip::Grip;
 pub use mover::{Mover, Path, Piece};
 pub use terrain::{Concave, Ground, Region, Terrain, Traits};

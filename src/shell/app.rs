@@ -17,12 +17,14 @@ use super::render::Renderer;
 use super::runs::{Feed, Recorder};
 use super::settings::Settings;
 use super::text::{Pass, Text};
-use super::{ShellError, capture, levels, liking};
+use super::{ShellError, capture, levels, liking, puppet};
+use crate::anim::Rig;
 use crate::cli::{Options, files};
 use crate::tune::Tuning;
 use sdl2::event::{Event, EventSender, WindowEvent};
 use std::io::Write;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 const SHADERS: &str = "shaders";
@@ -62,6 +64,7 @@ pub struct App {
     pub(super) level_file: Watch,
     pub(super) levels: Vec<PathBuf>,
     shader_files: Watch,
+    hero_file: Watch,
     disk: Timer,
     // The picture. The window comes last: what draws in it is dropped before it.
     pub(super) stats: Stats,
@@ -69,6 +72,7 @@ pub struct App {
     pub(super) renderer: Renderer,
     pub(super) text: Text,
     pub(super) text_pass: Pass,
+    pub(super) rig: Arc<Rig>,
     focused: bool,
     pub(super) platform: Platform,
 }
@@ -90,6 +94,9 @@ impl App {
         )?;
         renderer.set_preset(front.live.video.preset.unwrap_or_default())?;
         let text_pass = Pass::new(platform.gl.clone(), shader_files.path())?;
+        let hero_file = Watch::new(&files::find(Path::new(puppet::MODEL)));
+        let rig = puppet::load(hero_file.path())?;
+        renderer.set_hero(&rig);
         let mut overlay = Overlay::new(&platform)?;
         overlay.open = options.overlay;
         overlay.show.mesh = options.mesh;
@@ -111,6 +118,8 @@ impl App {
             scale: 1.0,
             quit: false,
             shader_files,
+            hero_file,
+            rig,
             levels: levels::list(),
             disk: Timer::default(),
             stats: Stats::default(),
@@ -392,6 +401,17 @@ impl App {
         }
         if self.level_file.changed() {
             self.reload_level();
+        }
+        if self.hero_file.changed() {
+            match puppet::load(self.hero_file.path()) {
+                Ok(rig) => {
+                    self.renderer.set_hero(&rig);
+                    self.play.show_hero(&rig);
+                    self.rig = rig;
+                    self.notices.solve(Topic::Hero);
+                }
+                Err(error) => self.notices.fail(Topic::Hero, error),
+            }
         }
         if self.shader_files.changed() {
             let reloaded = self.renderer.reload_shaders();

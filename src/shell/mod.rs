@@ -25,6 +25,7 @@ pub mod pads;
 mod picture;
 pub mod platform;
 pub mod play;
+pub mod puppet;
 pub mod reload;
 pub mod render;
 pub mod runs;

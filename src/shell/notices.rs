@@ -14,6 +14,8 @@ pub enum Topic {
     Tuning,
     /// The shaders.
     Shaders,
+    /// The hero's model.
+    Hero,
     /// A game controller, or the window.
     Device,
     /// The recording.
@@ -31,6 +33,7 @@ impl Topic {
             Topic::Level => "Level",
             Topic::Tuning => "Tuning",
             Topic::Shaders => "Shaders",
+            Topic::Hero => "Hero",
             Topic::Device => "Device",
             Topic::Recording => "Recording",
             Topic::Settings => "Settings",
@@ -41,7 +44,9 @@ impl Topic {
     /// What the game makes of it.
     pub fn remedy(self) -> &'static str {
         match self {
-            Topic::Level | Topic::Tuning | Topic::Shaders => "the last good state goes on",
+            Topic::Level | Topic::Tuning | Topic::Shaders | Topic::Hero => {
+                "the last good state goes on"
+            }
             Topic::Device | Topic::Recording => "the game goes on",
             Topic::Settings | Topic::Progress => "the game goes on with what it could read",
         }

@@ -8,13 +8,16 @@ use super::overlay::Info;
 use super::overlay::scene::{Drawing, MeshPicture};
 use super::render::{CameraPose, Frame};
 use crate::game::camera::Pose;
-use glam::{DVec2, DVec3};
+use glam::{DVec2, DVec3, Vec3};
 use std::f64::consts::TAU;
 
 /// Share of the picture's width that the title's letters take.
 const TITLE_ASIDE: f64 = 0.42;
 /// How the camera drifts behind the title: seconds of a swing and metres to each side, across, up and towards the scene.
 const DRIFT: [(f64, f64); 3] = [(46.0, 2.4), (31.0, 0.5), (67.0, 1.1)];
+
+/// Colour of the line around the hero for who wants high contrast: linear light.
+const MARK: Vec3 = Vec3::new(0.25, 1.6, 2.0);
 
 impl App {
     /// Draws the moment between the last two ticks; returns what was asked for in the panels.
@@ -37,8 +40,12 @@ impl App {
             Drawing::default()
         };
         // The view's own time: what moves in the world stands still with it.
+        let hero = self.play.shown(share);
+        let contrast = self.front.live.accessibility.contrast;
+        self.renderer.mark_hero(contrast.then_some(MARK));
         let frame = Frame {
             view: &view,
+            hero: hero.as_ref(),
             offsets: &offsets,
             camera: camera(&pose),
             time: view.time,
@@ -71,6 +78,7 @@ impl App {
 
     /// Shows the stage that is played now.
     pub(super) fn show_stage(&mut self) {
+        self.play.show_hero(&self.rig);
         let stage = self.play.world.stage();
         self.renderer.set_stage(stage);
         let land = self.play.world.land(0);

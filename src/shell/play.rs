@@ -1,5 +1,7 @@
 //! A world being played: where its inputs come from, and what is remembered for the picture between two ticks.
 
+use super::puppet::Puppet;
+use crate::anim::{Rig, Shown};
 use crate::cli::summary::Summary;
 use crate::game::camera::{CameraState, Pose};
 use crate::game::framing::Framing;
@@ -27,6 +29,7 @@ pub struct Play {
     before: View,
     now: View,
     framing: Framing,
+    puppet: Option<Puppet>,
     camera: CameraState,
     pose_before: Pose,
     pose: Pose,
@@ -51,6 +54,7 @@ impl Play {
             before: now,
             now,
             framing,
+            puppet: None,
             camera,
             pose_before: pose,
             pose,
@@ -71,6 +75,9 @@ impl Play {
             self.happened.truncate(TICKS);
         }
         self.before = std::mem::replace(&mut self.now, self.world.view());
+        if let Some(puppet) = &mut self.puppet {
+            puppet.tick(&self.world, &self.now, look);
+        }
         self.camera.step(
             &self.now,
             look,
@@ -101,6 +108,16 @@ impl Play {
         self.now = self.before;
         self.framing = Framing::new(&self.world.stage().level);
         self.camera = CameraState::new(&self.now, &self.framing);
+    }
+
+    /// Lets a figure act the hero from now on.
+    pub fn show_hero(&mut self, rig: &Arc<Rig>) {
+        self.puppet = Some(Puppet::new(rig, &self.world));
+    }
+
+    /// The hero's figure at a share (0 to 1) of the way from the last tick but one to the last.
+    pub fn shown(&self, share: f64) -> Option<Shown> {
+        self.puppet.as_ref().map(|puppet| puppet.shown(share))
     }
 
     /// The view at a share (0 to 1) of the way from the last tick but one to the last.

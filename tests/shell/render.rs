@@ -2,8 +2,11 @@
 //!
 //! SDL allows one context per process, so these tests share one and run one after another.
 
+use edgewalker::anim::{Figure, Ground, Rig};
 use edgewalker::game::{Stage, View};
+
 use edgewalker::level;
+use edgewalker::shell::puppet;
 use edgewalker::shell::render::{CameraPose, Frame, Line, RenderError, Renderer, Tri, load};
 use glam::{DVec2, Vec3};
 use std::collections::BTreeSet;
@@ -11,6 +14,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
 use std::rc::Rc;
+use std::sync::Arc;
 
 const DRIVER: (&str, &str) = ("SDL_VIDEODRIVER", "offscreen");
 const SIZE: (u32, u32) = (640, 360);
@@ -113,11 +117,29 @@ fn camera(at: DVec2) -> CameraPose {
     }
 }
 
+/// The shipped model.
+fn hero() -> Arc<Rig> {
+    puppet::load(&root().join(puppet::MODEL)).unwrap()
+}
+
+/// No ground but the plane that the view tells of.
+struct Level;
+
+impl Ground for Level {
+    fn under(&self, _: f64, _: f64, _: f64) -> Option<(f64, f32)> {
+        None
+    }
+}
+
 /// Draws a view and gives its pixels; OpenGL must have nothing to complain about.
 fn shoot(renderer: &mut Renderer, view: &View, camera: CameraPose) -> Vec<u8> {
+    let rig = hero();
+    renderer.set_hero(&rig);
+    let figure = Figure::new(&view.moves(0.0, None), &rig, &Level);
     let frame = Frame {
         offsets: &[],
         view,
+        hero: Some(figure.shown()),
         camera,
         time: view.time,
         lines: &[],
@@ -328,6 +350,7 @@ fn debug_drawings(studio: &Studio) {
     let frame = Frame {
         offsets: &[],
         view: &view,
+        hero: None,
         camera: pose,
         time: 0.0,
         lines: &lines,
@@ -369,6 +392,7 @@ fn any_size(studio: &Studio) {
         let frame = Frame {
             offsets: &[],
             view: &view,
+            hero: None,
             camera: camera(DVec2::ZERO),
             time: 0.0,
             lines: &[],

@@ -1,5 +1,6 @@
 //! What the app hands over for one picture, and the block of uniforms that is made of it.
 
+use crate::anim::Shown;
 use crate::game::View;
 use glam::camera::rh::proj::opengl::{orthographic, perspective};
 use glam::camera::rh::view::look_to_mat4;
@@ -21,6 +22,8 @@ pub const SUN: Vec3 = Vec3::new(-0.56, 0.79, 0.25);
 pub struct Frame<'a> {
     /// The hero and the state of the game, already interpolated between ticks.
     pub view: &'a View,
+    /// The hero's figure; without one he is not drawn.
+    pub hero: Option<&'a Shown>,
     /// How far each mover is from where it was drawn, in metres.
     pub offsets: &'a [DVec2],
     /// From where it is seen.

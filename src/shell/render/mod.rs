@@ -35,6 +35,7 @@ pub use error::RenderError;
 pub use frame::{CameraPose, Frame, Line, PointLight, Tri};
 pub use gl::load;
 
+use crate::anim::Rig;
 use crate::game::Stage;
 use air::Air;
 use canvas::Canvas;
@@ -42,7 +43,7 @@ use carried::Carried;
 use debug::Debug;
 use frame::FrameBlock;
 use gl::{Geometry, Gl, Program, Uniforms};
-use glam::Vec4;
+use glam::{Vec3, Vec4};
 use hero::Hero;
 use kit::Kit;
 use program::Library;
@@ -50,8 +51,10 @@ use quality::Quality;
 use scene::{Chunk, Scene};
 use shards::Shards;
 use state::{Blend, Cull, Depth, Format};
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
+use std::sync::Arc;
 use surface::Surface;
 
 /// Layout of the model's vertices: position, normal, colour, traits.
@@ -69,7 +72,6 @@ pub struct Renderer {
     quality: Quality,
     programs: Programs,
     frame_uniforms: Uniforms,
-    part_uniforms: Uniforms,
     shadow_map: Option<Surface>,
     canvas: Canvas,
     /// Three corners for passes over the whole picture.
@@ -80,7 +82,6 @@ pub struct Renderer {
     carried: Carried,
     shards: Shards,
     movers: Geometry,
-    figure: Geometry,
     hero: Hero,
     water: Geometry,
     water_height: f32,
@@ -98,6 +99,9 @@ pub struct Renderer {
 struct Programs {
     shadow: Program,
     world: Program,
+    hero: Program,
+    hero_shadow: Program,
+    hero_line: Program,
     water: Program,
     sky: Program,
     glow: Program,
@@ -115,6 +119,9 @@ impl Programs {
         Ok(Programs {
             shadow: load("shadow", "shadow")?,
             world: load("world", "world")?,
+            hero: load("hero", "world")?,
+            hero_shadow: load("hero_shadow", "shadow")?,
+            hero_line: load("hero_line", "flat")?,
             water: load("water", "water")?,
             sky: load("sky", "sky")?,
             glow: load("glow", "soft")?,
@@ -147,13 +154,10 @@ impl Renderer {
         let programs = Programs::load(&gl, shader_dir, &quality)?;
         let mut whole = gl.geometry(&[Format::F1], false)?;
         whole.upload(&[0; 3]);
-        let mut figure = gl.geometry(&VERTEX, false)?;
-        figure.upload(&hero::figure().words);
         Ok(Renderer {
             shader_dir: shader_dir.to_path_buf(),
             programs,
             frame_uniforms: gl.uniforms(0)?,
-            part_uniforms: gl.uniforms(1)?,
             shadow_map: shadow_map(&gl, &quality)?,
             canvas: Canvas::default(),
             whole,
@@ -164,8 +168,7 @@ impl Renderer {
             carried: Carried::default(),
             shards: Shards::default(),
             movers: gl.geometry(&VERTEX, false)?,
-            figure,
-            hero: Hero::default(),
+            hero: Hero::new(&gl)?,
             water: water::surface(&gl)?,
             water_height: 0.0,
             air: Air::new(&gl)?,
@@ -189,6 +192,16 @@ impl Renderer {
         self.carried = Carried::of(stage, &self.kit);
         self.lamps = scene.lamps;
         self.gate = scene.gate;
+    }
+
+    /// Replaces the hero's model.
+    pub fn set_hero(&mut self, rig: &Arc<Rig>) {
+        self.hero.set_model(rig);
+    }
+
+    /// Draws a line of a colour (linear red, green, blue) around the hero, or none.
+    pub fn mark_hero(&mut self, colour: Option<Vec3>) {
+        self.hero.mark(colour);
     }
 
     /// Lets pictures cost this much from now on.
@@ -226,10 +239,11 @@ impl Renderer {
         let block = self.upload(frame, size);
         self.gl.reset();
         self.canvas.fit(&self.gl, &self.quality, size);
+        let hero = 0..frame.hero.map_or(0, |_| usize::MAX);
         if let (true, Some(scene)) = (frame.show_world, self.canvas.scene()) {
-            self.shadow_pass(&block);
+            self.shadow_pass(&block, hero.clone());
             scene.draw_into(&self.gl);
-            self.world_pass(&block);
+            self.world_pass(&block, hero);
             self.water_pass();
             self.sky_pass();
             self.air_pass();
@@ -259,8 +273,8 @@ impl Renderer {
     /// Hands the frame's values to the GPU.
     fn upload(&mut self, frame: &Frame, size: (u32, u32)) -> FrameBlock {
         let foot = frame.view.position.as_vec2().extend(0.0);
-        let pose = self.hero.pose(frame.view);
-        self.light(frame, hero::lamp(&pose, foot, frame.time));
+        let lamp = self.hero.upload(frame.hero, frame.time, &mut self.words);
+        self.light(frame, lamp);
         let (puff, strength) = self.air.puff(frame.view, foot);
         let block = FrameBlock {
             hero: foot.extend(0.0),
@@ -270,8 +284,6 @@ impl Renderer {
         };
         block.write(&self.lit, &mut self.words);
         self.frame_uniforms.upload(&self.words);
-        hero::write_parts(&pose, foot, &mut self.words);
-        self.part_uniforms.upload(&self.words);
         self.carried.write(frame.offsets, &mut self.words);
         let aim = frame.camera.target;
         self.shards
@@ -284,7 +296,7 @@ impl Renderer {
 
     /// Chooses the lamps of a picture: the hero's always, the checkpoint's that holds, the gate's second light once it is
     /// reached, then the nearest.
-    fn light(&mut self, frame: &Frame, hero: PointLight) {
+    fn light(&mut self, frame: &Frame, hero: Option<PointLight>) {
         self.lit.clear();
         lamps::choose(&self.lamps, frame.camera.target, &mut self.lit);
         self.lit.truncate(frame::MAX_LIGHTS - 3);
@@ -296,18 +308,18 @@ impl Renderer {
                 ..gate
             });
         }
-        self.lit.push(hero);
+        self.lit.extend(hero);
     }
 
     /// Depth of everything near, seen from the key light.
-    fn shadow_pass(&self, block: &FrameBlock) {
+    fn shadow_pass(&self, block: &FrameBlock, hero: Range<usize>) {
         let Some(shadow_map) = &self.shadow_map else {
             return;
         };
         shadow_map.draw_into(&self.gl);
         self.gl.state(Depth::Write, Blend::Off, Cull::Off);
         self.gl
-            .triangles(&self.programs.shadow, &self.figure, 0..usize::MAX);
+            .triangles(&self.programs.hero_shadow, &self.hero.mesh, hero.clone());
         self.gl
             .triangles(&self.programs.shadow, &self.movers, 0..usize::MAX);
         for chunk in self
@@ -321,13 +333,17 @@ impl Renderer {
     }
 
     /// The hero, the level and the distance: from front to back, so that hidden fragments cost little.
-    fn world_pass(&self, block: &FrameBlock) {
+    fn world_pass(&self, block: &FrameBlock, hero: Range<usize>) {
         if let Some(shadow_map) = &self.shadow_map {
             shadow_map.read_from(&self.gl, SHADOW_UNIT);
         }
         self.gl.state(Depth::Write, Blend::Off, Cull::Back);
         self.gl
-            .triangles(&self.programs.world, &self.figure, 0..usize::MAX);
+            .triangles(&self.programs.hero, &self.hero.mesh, hero.clone());
+        if self.hero.is_marked() {
+            self.gl
+                .triangles(&self.programs.hero_line, &self.hero.mesh, hero);
+        }
         self.gl
             .triangles(&self.programs.world, &self.movers, 0..usize::MAX);
         for chunk in self

@@ -19,8 +19,6 @@ pub struct Paint {
     pub glow: f32,
     /// How far the wind moves it, 0 to 1.
     pub sway: f32,
-    /// Which matrix of the parts block moves it; 0 stands still.
-    pub part: u8,
     /// How much neighbouring facets differ from each other in brightness and hue.
     pub variety: f32,
 }
@@ -32,7 +30,6 @@ pub const fn paint(rgb: u32) -> Paint {
         colour,
         glow: 0.0,
         sway: 0.0,
-        part: 0,
         variety: 0.06,
     }
 }
@@ -46,11 +43,6 @@ impl Paint {
     /// The same, shining.
     pub const fn glowing(self, glow: f32) -> Paint {
         Paint { glow, ..self }
-    }
-
-    /// The same, moved by this part's matrix.
-    pub const fn on(self, part: u8) -> Paint {
-        Paint { part, ..self }
     }
 
     /// The same, with facets that differ more or less.
@@ -110,7 +102,7 @@ impl Model {
         let brighter = (hash(middle, 1) - 0.5) * 2.0 * paint.variety;
         let warmer = (hash(middle, 2) - 0.5) * 0.6 * paint.variety;
         let colour = paint.colour * (1.0 + brighter) * Vec3::new(1.0 + warmer, 1.0, 1.0 - warmer);
-        let traits = pack([paint.glow, paint.sway, f32::from(paint.part) / 255.0, 0.0]);
+        let traits = pack([paint.glow, paint.sway, 0.0, 0.0]);
         for (at, shade) in corners.into_iter().zip(shade) {
             self.words.extend(at.to_array().map(f32::to_bits));
             self.words.push(pack_signed(normal));
@@ -166,7 +158,7 @@ impl Model {
         self.facet(corners, [0.6, 0.6, 1.0], paint);
         let tip = before + 3 * VERTEX_WORDS - 1;
         if let Some(traits) = self.words.get_mut(tip) {
-            *traits = pack([paint.glow, 0.6, f32::from(paint.part) / 255.0, 0.0]);
+            *traits = pack([paint.glow, 0.6, 0.0, 0.0]);
         }
     }
 
@@ -205,29 +197,6 @@ impl Model {
             self.cap(&below, paint);
             self.cap(last, paint);
         }
-    }
-
-    /// A box that narrows upwards: half extents at the bottom and at the top, and the height.
-    pub fn block(
-        &mut self,
-        base: Vec3,
-        bottom: (f32, f32),
-        top: (f32, f32),
-        height: f32,
-        paint: Paint,
-    ) {
-        let ring = |(x, z): (f32, f32), y: f32| {
-            [(-x, z), (x, z), (x, -z), (-x, -z)].map(|(x, z)| base + Vec3::new(x, y, z))
-        };
-        let (lower, upper) = (ring(bottom, 0.0), ring(top, height));
-        self.band(&lower, &upper, paint);
-        self.cap(&upper, paint);
-        self.cap(&[lower[3], lower[2], lower[1], lower[0]], paint);
-    }
-
-    /// A box on a foot: half its width and depth, and its height.
-    pub fn slab(&mut self, foot: Vec3, half: (f32, f32), height: f32, paint: Paint) {
-        self.block(foot, half, half, height, paint);
     }
 
     /// A square beam from one point to another.
@@ -287,7 +256,7 @@ pub fn pack(values: [f32; 4]) -> u32 {
 }
 
 /// A unit vector as signed bytes.
-fn pack_signed(v: Vec3) -> u32 {
+pub fn pack_signed(v: Vec3) -> u32 {
     let [x, y, z] = v
         .to_array()
         .map(|c| (c.clamp(-1.0, 1.0) * 127.0).round() as i8 as u8);
@@ -317,9 +286,6 @@ mod tests {
     fn solids_look_outwards() {
         let grey = paint(0x808080);
         let mut model = Model::default();
-        model.block(Vec3::new(3.0, 2.0, 1.0), (0.5, 0.5), (0.5, 0.5), 2.0, grey);
-        assert!((volume(&model) - 12.0).abs() < 1e-4, "{}", volume(&model));
-        let mut model = Model::default();
         model.beam(Vec3::ZERO, Vec3::new(3.0, 0.0, 0.0), 0.5, grey);
         assert!((volume(&model) - 18.0).abs() < 1e-4, "{}", volume(&model));
         let mut model = Model::default();
@@ -335,7 +301,7 @@ mod tests {
     #[test]
     fn what_is_mirrored_still_looks_outwards() {
         let (mut block, mut mirrored) = (Model::default(), Model::default());
-        block.slab(Vec3::X, (0.5, 0.5), 2.0, paint(0x808080));
+        block.beam(Vec3::X, Vec3::new(1.0, 2.0, 0.0), 0.5, paint(0x808080));
         mirrored.add(&block, Mat4::from_scale(Vec3::new(-1.0, 1.0, 1.0)));
         assert!((volume(&mirrored) - 12.0).abs() < 1e-4);
         assert_eq!(mirrored.words.len(), block.words.len());

@@ -9,7 +9,7 @@ use super::state::Stage;
 use std::path::{Path, PathBuf};
 
 /// Uniform blocks by name, in the order of their binding points.
-pub const BLOCKS: [&str; 2] = ["FrameBlock", "PartsBlock"];
+pub const BLOCKS: [&str; 2] = ["FrameBlock", "HeroBlock"];
 
 /// Samplers by name, in the order of the texture units that they read.
 pub const SAMPLERS: [&str; 3] = ["shadow_map", "light_map", "bloom_map"];
