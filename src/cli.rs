@@ -59,6 +59,7 @@ Runs as values
   --headless          With --replay: no window, print the final state's hash and a summary
   --screenshot FILE   Write one picture as PNG and leave; needs --at
   --at TICK           The tick of the picture: of the replay, or of a run without input
+  --soundtrack FILE   With --replay: no window, write what is heard of the run as WAV
 
 For level makers
   --check LEVEL       Check all meshes of a level and walk about in it at random, no window; --seed, --tuning and
@@ -74,6 +75,7 @@ Window
   --screen NAME       Start with a menu open: title, pause, settings, video, audio, controls, accessibility, credits...
   --overlay           Start with the overlay open
   --mesh              Start with the motion mesh drawn
+  --mute              No sound
 
   --help, --version
 
@@ -104,6 +106,13 @@ pub enum Command {
         /// The replay file.
         replay: PathBuf,
     },
+    /// Write what a replay sounds like.
+    Soundtrack {
+        /// The replay file.
+        replay: PathBuf,
+        /// The WAV to write.
+        file: PathBuf,
+    },
     /// Check a level.
     Check(check::Plan),
     /// Open a window.
@@ -133,6 +142,8 @@ pub struct Options {
     pub overlay: bool,
     /// Start with the mesh drawn.
     pub mesh: bool,
+    /// No sound.
+    pub mute: bool,
 }
 
 impl Options {
@@ -201,10 +212,12 @@ pub fn parse(args: impl IntoIterator<Item = OsString>) -> Result<Command, UsageE
         return Ok(Command::Version);
     }
     given.check_contradictions()?;
+    let replay = given.path("replay").unwrap_or_default();
     if given.has("headless") {
-        return Ok(Command::Headless {
-            replay: given.path("replay").unwrap_or_default(),
-        });
+        return Ok(Command::Headless { replay });
+    }
+    if let Some(file) = given.path("soundtrack") {
+        return Ok(Command::Soundtrack { replay, file });
     }
     if let Some(level) = given.path("check") {
         return Ok(Command::Check(given.check_plan(level)?));
@@ -220,6 +233,7 @@ pub fn parse(args: impl IntoIterator<Item = OsString>) -> Result<Command, UsageE
         screen: given.screen()?,
         overlay: given.has("overlay"),
         mesh: given.has("mesh"),
+        mute: given.has("mute"),
     }))
 }
 
@@ -230,6 +244,7 @@ const FLAGS: &[&str] = &[
     "no-vsync",
     "overlay",
     "mesh",
+    "mute",
     "help",
     "version",
 ];
@@ -241,6 +256,7 @@ const VALUED: &[&str] = &[
     "record",
     "replay",
     "screenshot",
+    "soundtrack",
     "at",
     "size",
     "preset",
@@ -262,6 +278,7 @@ const NO_WINDOW: &[&str] = &[
     "screen",
     "overlay",
     "mesh",
+    "mute",
 ];
 
 /// Pairs that contradict each other, with the reason.
@@ -279,7 +296,7 @@ const CONTRADICTIONS: &[(&str, &[&str], &str)] = &[
     ),
     (
         "check",
-        &["level", "replay", "headless"],
+        &["level", "replay", "headless", "soundtrack"],
         "it names the level, and plays it without a window",
     ),
     (
@@ -292,12 +309,19 @@ const CONTRADICTIONS: &[(&str, &[&str], &str)] = &[
         NO_WINDOW,
         "without a window there is nothing to show",
     ),
+    (
+        "soundtrack",
+        NO_WINDOW,
+        "without a window there is nothing to show",
+    ),
+    ("soundtrack", &["headless"], "one thing at a time"),
 ];
 
 /// Options that are pointless without another one.
 const NEEDS: &[(&str, &str)] = &[
     ("ticks", "check"),
     ("headless", "replay"),
+    ("soundtrack", "replay"),
     ("screenshot", "at"),
     ("at", "screenshot"),
 ];

@@ -21,6 +21,8 @@ pub mod level;
 
 pub mod game;
 
+pub mod sound;
+
 pub mod cli;
 
 #[cfg(feature = "shell")]

@@ -2,6 +2,7 @@
 
 use edgewalker::cli::check::{self, Plan};
 use edgewalker::cli::{self, Command, Options};
+use std::path::Path;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
@@ -11,6 +12,7 @@ fn main() -> ExitCode {
         Ok(Command::Headless { replay }) => cli::headless::play(&replay)
             .map_err(|e| e.to_string())
             .and_then(|summary| print(&summary.to_string())),
+        Ok(Command::Soundtrack { replay, file }) => write_soundtrack(&replay, &file),
         Ok(Command::Check(plan)) => check(&plan),
         Ok(Command::Window(options)) => play(&options),
         Err(error) => {
@@ -58,6 +60,16 @@ fn check(plan: &Plan) -> Result<(), String> {
 #[cfg(feature = "shell")]
 fn play(options: &Options) -> Result<(), String> {
     edgewalker::shell::run(options).map_err(|e| e.to_string())
+}
+
+#[cfg(feature = "shell")]
+fn write_soundtrack(replay: &Path, file: &Path) -> Result<(), String> {
+    edgewalker::shell::audio::soundtrack::write(replay, file).map_err(|e| e.to_string())
+}
+
+#[cfg(not(feature = "shell"))]
+fn write_soundtrack(_: &Path, _: &Path) -> Result<(), String> {
+    Err("this build has no sound: it plays replays only (--headless --replay FILE)".into())
 }
 
 #[cfg(not(feature = "shell"))]

@@ -1,5 +1,6 @@
 //! The game as a program: one frame as a sequence, and the loop around it. The only place that reads a clock.
 
+use super::audio::Audio;
 use super::clock::{FrameLimiter, TickClock};
 use super::edits::Edit;
 use super::front::Front;
@@ -74,6 +75,8 @@ pub struct App {
     pub(super) text_pass: Pass,
     pub(super) rig: Arc<Rig>,
     focused: bool,
+    /// What is heard.
+    pub audio: Audio,
     pub(super) platform: Platform,
 }
 
@@ -128,6 +131,7 @@ impl App {
             text: Text::new()?,
             text_pass,
             focused: true,
+            audio: Audio::default(),
             platform,
         };
         app.show_stage();
@@ -137,6 +141,9 @@ impl App {
             ..
         } = app.settings().clone();
         app.controls.set(&controls, accessibility.crouch);
+        if !options.mute && options.screenshot.is_none() {
+            app.open_audio();
+        }
         app.open_first_menu(options);
         Ok(app)
     }
@@ -213,13 +220,13 @@ impl App {
     pub fn frame(&mut self, elapsed: Duration) -> Result<(), ShellError> {
         self.stats.frame.push(elapsed.as_secs_f32() * 1000.0);
         self.notices.advance(elapsed);
-        self.front.heard.clear();
         if self.disk.is_due(elapsed) {
             self.reload_changed();
         }
         self.poll_events();
         self.advance_front(elapsed);
         self.advance(elapsed);
+        self.play_sounds(elapsed);
         let edits = self.draw(elapsed.as_secs_f32())?;
         self.platform.window.gl_swap_window();
         edits.into_iter().for_each(|edit| self.apply(edit));
@@ -366,6 +373,7 @@ impl App {
         let deaths = self.play.world.view().deaths;
         self.play.tick(input, self.controls.look(), &self.tuning);
         self.note_tick();
+        self.hear_tick();
         if self.play.world.view().deaths != deaths {
             let place = match self.play.world.checkpoint() {
                 Some(_) => "checkpoint",

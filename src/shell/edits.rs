@@ -199,6 +199,7 @@ impl App {
     /// What is left to do when the world has another stage.
     pub(super) fn enter_stage(&mut self) {
         self.show_stage();
+        self.audio.enter(&self.play.world);
         if let Some(recorder) = &mut self.recorder
             && recorder.end("the level was changed")
         {

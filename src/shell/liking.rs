@@ -70,9 +70,9 @@ impl App {
     pub(super) fn apply_settings(&mut self, before: &Settings) {
         let Settings {
             video,
+            audio,
             controls,
             accessibility,
-            ..
         } = self.front.live.clone();
         let mut result = Ok(());
         if video.fullscreen != before.video.fullscreen {
@@ -90,6 +90,9 @@ impl App {
         }
         if controls != before.controls || accessibility.crouch != before.accessibility.crouch {
             self.controls.set(&controls, accessibility.crouch);
+        }
+        if audio != before.audio {
+            self.apply_volumes();
         }
         if let Err(reason) = result {
             self.notices.say(reason);

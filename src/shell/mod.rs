@@ -5,10 +5,12 @@
 //! [`play`] (a world being played), [`edits`] (what the overlay may ask for), [`reload`] (files that change),
 //! [`levels`] (those to choose from), [`notices`] (what went wrong), [`capture`] (pictures as files), [`settings`] (what
 //! is set and what has been reached, and their files), [`menu`] (title, pause, settings as values, and their look),
-//! [`front`] (the menus in the running game), `games` (runs begun and finished), `liking` (settings made to hold), [`hud`] (what is told beside the world), [`text`] (letters), [`overlay`]
+//! [`front`] (the menus in the running game), `games` (runs begun and finished), `liking` (settings made to hold),
+//! [`audio`] and `sounds` (what is heard), [`hud`] (what is told beside the world), [`text`] (letters), [`overlay`]
 //! (panels and drawings for developers), [`render`] (the world's picture).
 
 pub mod app;
+pub mod audio;
 pub mod capture;
 pub mod clock;
 pub mod edits;
@@ -30,6 +32,7 @@ pub mod reload;
 pub mod render;
 pub mod runs;
 pub mod settings;
+mod sounds;
 pub mod text;
 
 use crate::cli::files::FileError;

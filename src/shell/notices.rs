@@ -24,6 +24,8 @@ pub enum Topic {
     Settings,
     /// The file of what has been reached.
     Progress,
+    /// A sound's file.
+    Sound,
 }
 
 impl Topic {
@@ -38,6 +40,7 @@ impl Topic {
             Topic::Recording => "Recording",
             Topic::Settings => "Settings",
             Topic::Progress => "Progress",
+            Topic::Sound => "Sound",
         }
     }
 
@@ -48,6 +51,7 @@ impl Topic {
                 "the last good state goes on"
             }
             Topic::Device | Topic::Recording => "the game goes on",
+            Topic::Sound => "the game goes on without it",
             Topic::Settings | Topic::Progress => "the game goes on with what it could read",
         }
     }

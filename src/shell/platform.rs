@@ -5,7 +5,9 @@ use super::render;
 use glow::HasContext;
 use sdl2::event::EventSender;
 use sdl2::video::{FullscreenType, GLContext, GLProfile, SwapInterval, Window};
-use sdl2::{EventPump, EventSubsystem, GameControllerSubsystem, Sdl, VideoSubsystem};
+use sdl2::{
+    AudioSubsystem, EventPump, EventSubsystem, GameControllerSubsystem, Sdl, VideoSubsystem,
+};
 use std::rc::Rc;
 use std::time::Duration;
 
@@ -157,6 +159,14 @@ impl Platform {
     /// Whether the picture goes nowhere, by wish.
     pub fn is_invisible(&self) -> bool {
         INVISIBLE.contains(&self.video.current_video_driver())
+    }
+
+    /// SDL's sound.
+    ///
+    /// # Errors
+    /// There is no device that could play.
+    pub fn audio(&self) -> Result<AudioSubsystem, String> {
+        self.sdl.audio()
     }
 
     /// A way to send events to the window as if from outside.

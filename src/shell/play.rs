@@ -120,6 +120,11 @@ impl Play {
         self.puppet.as_ref().map(|puppet| puppet.shown(share))
     }
 
+    /// The views before and after the last tick.
+    pub fn moments(&self) -> (&View, &View) {
+        (&self.before, &self.now)
+    }
+
     /// The view at a share (0 to 1) of the way from the last tick but one to the last.
     pub fn view(&self, share: f64) -> View {
         self.now.since(&self.before, share)

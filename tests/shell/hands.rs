@@ -38,6 +38,7 @@ pub fn options(level: &str) -> Options {
         screen: None,
         overlay: false,
         mesh: false,
+        mute: true,
     }
 }
 

@@ -6,9 +6,11 @@ mod devices;
 mod hands;
 mod menus;
 mod runs;
+mod sound;
 mod tools;
 mod virtual_pad;
 
+use std::ffi::OsString;
 use std::fs;
 use std::path::Path;
 use std::process::{Command, ExitCode};
@@ -16,6 +18,11 @@ use std::process::{Command, ExitCode};
 const DRIVER: (&str, &str) = ("SDL_VIDEODRIVER", "offscreen");
 /// Offscreen windows never have the focus, without which SDL drops the events of controllers.
 const PADS: (&str, &str) = ("SDL_JOYSTICK_ALLOW_BACKGROUND_EVENTS", "1");
+
+/// What would be heard is written to a file.
+const SOUND: (&str, &str) = ("SDL_AUDIODRIVER", "disk");
+/// The test that needs a process without a sound device.
+const DEAF: &str = "without a sound device";
 
 type Test = (&'static str, fn(&Path));
 
@@ -101,33 +108,57 @@ const TESTS: &[Test] = &[
     ("time runs slower by wish", menus::time_runs_slower_by_wish),
     ("another level", tools::another_level),
     ("a level is clicked", tools::a_level_is_clicked),
+    ("a run is heard", sound::a_run_is_heard),
+    (
+        "volumes of nothing are silent",
+        sound::volumes_of_nothing_are_silent,
+    ),
+    (DEAF, sound::without_a_device),
 ];
 
-/// The driver is chosen by the environment of a fresh process; in there the tests run in order.
+/// The drivers are chosen by the environment of a fresh process; in there the tests run in order. One without a sound device
+/// follows.
 fn main() -> ExitCode {
     let is_set = |(name, value)| std::env::var(name).as_deref() == Ok(value);
-    if !(is_set(DRIVER) && is_set(PADS)) {
-        let again = Command::new(std::env::current_exe().unwrap())
-            .args(std::env::args_os().skip(1))
-            .envs([DRIVER, PADS])
-            .status();
-        return if again.unwrap().success() {
-            ExitCode::SUCCESS
-        } else {
-            ExitCode::FAILURE
-        };
+    if [DRIVER, PADS, SOUND].into_iter().all(is_set) {
+        run_tests();
+        return ExitCode::SUCCESS;
     }
+    let file = std::env::temp_dir().join(format!("edgewalker-sound-{}.raw", std::process::id()));
+    let done = again(&file, std::env::args_os().skip(1).collect())
+        && again(Path::new(sound::NOWHERE), vec![DEAF.into()]);
+    drop(fs::remove_file(file)); // if no test has sounded, there is none
+    if done {
+        ExitCode::SUCCESS
+    } else {
+        ExitCode::FAILURE
+    }
+}
+
+/// This program again, with the drivers, and a file to write sound to; whether all went well.
+fn again(file: &Path, args: Vec<OsString>) -> bool {
+    Command::new(std::env::current_exe().unwrap())
+        .args(args)
+        .envs([DRIVER, PADS, SOUND])
+        .env(sound::FILE_VARIABLE, file)
+        .status()
+        .unwrap()
+        .success()
+}
+
+fn run_tests() {
+    let is_deaf = std::env::var(sound::FILE_VARIABLE).as_deref() == Ok(sound::NOWHERE);
     let wanted = std::env::args()
         .skip(1)
         .find(|arg| !arg.starts_with('-'))
         .unwrap_or_default();
     let folder = std::env::temp_dir().join(format!("edgewalker-shell-{}", std::process::id()));
-    for (name, test) in TESTS.iter().filter(|(name, _)| name.contains(&wanted)) {
+    let tests = TESTS.iter().filter(|(name, _)| name.contains(&wanted));
+    for (name, test) in tests.filter(|(name, _)| (*name == DEAF) == is_deaf) {
         fs::create_dir_all(&folder).unwrap();
         print!("test {name} ... ");
         test(&folder);
         println!("ok");
         fs::remove_dir_all(&folder).unwrap();
     }
-    ExitCode::SUCCESS
 }
