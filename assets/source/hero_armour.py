@@ -121,9 +121,9 @@ def trunk(shape):
     badge = [(.222, 1.135, 0), (.225, 1.085, .034), (.222, 1.02, 0), (.225, 1.085, -.034)]
     made = [shape.corner(p, "chest") for p in badge]
     shape.cap(made, BRASS, (.242, 1.085, 0), "chest")
-    gorget = [oval((0, 1.165, 0), .12, .145, 8), oval((.0, 1.235, 0), (.115, .108), .11, 8), oval((.0, 1.28, 0), .07, .07, 8)]
+    gorget = [oval((0, 1.19, 0), .12, .135, 8), oval((.0, 1.28, 0), .075, .075, 8)]
     to_neck = stops((1.19, "chest"), (1.27, "neck"))
-    loft(shape, gorget, [SHADE, DARK], lambda p: to_neck(p.y))
+    loft(shape, gorget, DARK, lambda p: to_neck(p.y))
 
 
 def shoulder(size=1.0, rims=BRIGHT):

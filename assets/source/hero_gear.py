@@ -71,7 +71,8 @@ def mantle(shape):
         return [Vector((p.x, p.y + ripple * cos(i * 2.4 + phase) - .03 * max(0, p.x), p.z)) for i, p in enumerate(points)]
     rings = [ring(1.222, .118, .12, .122, 0, 0), ring(1.262, .136, .142, .142, .005, 0), ring(1.248, .165, .172, .175, .007, 1),
              ring(1.212, .178, .190, .205, .007, 2), ring(1.172, .188, .207, .228, .014, 3)]
-    loft(shape, rings[::-1], [RED_EDGE, RED, RED, RED_EDGE], "chest", (False, False))
+    rings.append(ring(1.160, .12, .13, .15, .006, 3))
+    loft(shape, rings[::-1], [LINING, RED_EDGE, RED, RED, RED_EDGE], "chest", (False, False))
     clasp = [(0, .026, .026, 0), (.6, .030, .030, 0), (1, .016, .016, 0)]
     limb(shape, (.142, 1.205, .085), (.192, 1.218, .108), clasp, 6, BRASS, "chest", forward=(0, 1, 0))
 

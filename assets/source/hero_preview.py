@@ -2,9 +2,11 @@
 
     python hero_preview.py turn OUT.png              the figure from eight sides
     python hero_preview.py run OUT.png               the run cycle in twelve frames
-    python hero_preview.py CLIP OUT.png              any clip in twelve frames, seen as in the game
+    python hero_preview.py CLIP OUT.png [PIXELS]     any clip in twelve frames, seen as in the game; PIXELS a metre
     python hero_preview.py poses OUT.png CLIP:KEY..  chosen keys of clips
     python hero_preview.py small OUT.png CLIP:KEY..  the same, 60 pixels high
+
+With --insides first, facets seen from behind, which the game leaves out, are shown in loud pink.
 """
 
 import sys
@@ -17,6 +19,7 @@ import bpy  # noqa: E402
 from mathutils import Euler, Matrix, Quaternion, Vector  # noqa: E402
 
 MODEL = Path(__file__).resolve().parent.parent / "models" / "hero.glb"
+INSIDES = "--insides" in sys.argv
 SAMPLES = 8
 # Metres of a sheet's cell, and its pixels.
 CELL = Vector((1.9, 2.15))
@@ -41,7 +44,8 @@ def load():
         if material.name == "glow":
             material.node_tree.links.new(colour.outputs["Color"], surface.inputs["Emission Color"])
             surface.inputs["Emission Strength"].default_value = 2.0
-        show_insides(material)
+        if INSIDES:
+            show_insides(material)
     light = bpy.data.objects.new("sun", bpy.data.lights.new("sun", "SUN"))
     light.data.energy, light.data.angle, light.data.color = 4.2, 0.05, (1.0, 0.86, 0.68)
     light.rotation_euler = Euler((radians(48), radians(8), radians(52)))
@@ -55,7 +59,7 @@ def load():
 
 
 def show_insides(material):
-    """Facets seen from behind, which the game leaves out, in loud pink."""
+    """Facets seen from behind in loud pink."""
     nodes, links = material.node_tree.nodes, material.node_tree.links
     output = next(node for node in nodes if node.type == "OUTPUT_MATERIAL")
     mix, pink, side = (nodes.new(f"ShaderNode{kind}") for kind in ("MixShader", "Emission", "NewGeometry"))
@@ -127,12 +131,13 @@ def sheet(rig, cells, columns, path, pixels=PIXELS_A_METRE):
     scene.collection.objects.link(camera)
     scene.camera = camera
     scene.render.engine = "CYCLES"
-    scene.cycles.samples, scene.cycles.use_denoising = SAMPLES, False
+    scene.cycles.samples, scene.cycles.use_denoising = SAMPLES, True
     scene.cycles.max_bounces, scene.cycles.seed = 2, 1
     scene.view_settings.view_transform = "Standard"
     scene.render.threads_mode, scene.render.threads = "FIXED", 2
     scene.render.resolution_x, scene.render.resolution_y = int(width * pixels), int(height * pixels)
-    scene.render.image_settings.file_format = "PNG"
+    scene.render.image_settings.file_format, scene.render.image_settings.compression = "PNG", 100
+    scene.render.dither_intensity = 0.0
     scene.render.image_settings.color_mode = "RGB"
     scene.render.filepath = str(path)
     bpy.ops.render.render(write_still=True)
@@ -144,7 +149,7 @@ def length(clip):
 
 
 def main():
-    what, path, *keys = sys.argv[1:]
+    what, path, *keys = [word for word in sys.argv[1:] if word != "--insides"]
     rig = load()
     if what == "turn":
         sheet(rig, [("idle", 0, angle) for angle in range(0, 360, 45)], 4, path, 220)
@@ -156,7 +161,8 @@ def main():
         shown = 12 if length(what) >= 11 else int(length(what)) + 1
         last = length(what) * (1 - 1 / shown) if what in LOOPS else length(what)
         step = last / (shown - 1)
-        sheet(rig, [(what, i * step, THREE_QUARTERS) for i in range(shown)], 6, path)
+        pixels = int(keys[0]) if keys else PIXELS_A_METRE
+        sheet(rig, [(what, i * step, THREE_QUARTERS) for i in range(shown)], 6, path, pixels)
 
 
 # What he holds on to is shown: the wall before him; a ledge comes down as he climbs.

@@ -24,7 +24,7 @@ def wall_slide():
             "foot.r.x": 0.235, "foot.r.y": wave(6, 0.37, 0.006, 2), "foot.r.z": 0.12, "foot.r.pitch": -52,
             "foot.l.x": 0.175, "foot.l.y": wave(6, 0.10, 0.006, 4), "foot.l.z": -0.11, "foot.l.pitch": -34, "knee.r.out": 22, "knee.l.out": 14,
             "arm.r.ik": 1, "reach.r.x": WALL - 0.055, "reach.r.y": wave(6, 1.30, 0.005, 3), "reach.r.z": 0.22, "hand.r.pitch": 10, "arm.r.pole": 30,
-            "arm.l.swing": wave(n, -34, 6, 4), "arm.l.out": wave(n, 58, 5, 10), "elbow.l": 40, "lantern.swing": wave(n, 8, 9, 8),
+            "arm.l.swing": wave(n, -82, 5, 4), "arm.l.out": wave(n, 34, 4, 10), "elbow.l": 16, "lantern.swing": wave(n, 8, 9, 8),
         },
         loop=True)
 
@@ -33,7 +33,7 @@ HANG = {
     "hips.x": 0.07, "hips.y": 0.06, "hips.pitch": -6, "hips.yaw": 10, "hips.roll": -4, "spine.pitch": -2, "spine.roll": -6, "chest.pitch": -2, "chest.yaw": 14, "chest.roll": -14,
     "head.pitch": -16, "head.yaw": 4,
     "arm.r.ik": 1, "reach.r.x": CORNER[0] - 0.045, "reach.r.y": CORNER[1] - 0.015, "reach.r.z": 0.17, "arm.r.pole": 50, "hand.r.pitch": 62,
-    "arm.l.swing": 14, "arm.l.out": 34, "elbow.l": 52,
+    "arm.l.swing": -66, "arm.l.out": 38, "elbow.l": 20,
     "foot.r.x": 0.17, "foot.r.y": 0.36, "foot.r.z": 0.10, "foot.r.pitch": -24, "foot.l.x": 0.02, "foot.l.y": 0.10, "foot.l.z": -0.10, "foot.l.pitch": 40,
     "knee.r.out": 20, "knee.l.out": 6,
 }
@@ -47,7 +47,7 @@ def ledge_hang():
         {
             "hips.x": wave(n, 0.07, 0.012, 10), "hips.y": wave(n / 2, 0.06, 0.005, 6), "hips.pitch": wave(n, -6, 1.5, 10), "hips.yaw": wave(n, 10, 3, 20),
             "foot.l.x": wave(n, 0.02, 0.045, 16), "foot.l.y": wave(n, 0.10, 0.02, 24), "chest.yaw": wave(n, 14, 3, 14), "head.pitch": wave(n, -16, 2, 20),
-            "arm.l.swing": wave(n, 14, 7, 18), "arm.l.out": wave(n, 34, 4, 26), "lantern.swing": wave(n, 0, 8, 26),
+            "arm.l.swing": wave(n, -66, 6, 18), "arm.l.out": wave(n, 38, 4, 26), "lantern.swing": wave(n, 0, 8, 26),
         },
         loop=True)
 
@@ -72,11 +72,11 @@ def ledge_climb():
             "chest.pitch": [(0, -2), (4, 8), (9, 12), (14, 2), (n, -2)], "spine.roll": [(0, -6), (4, 0), (n, 0)], "chest.roll": [(0, -10), (4, 4), (9, 0), (n, -2)],
             "chest.yaw": [(0, 12), (4, -8), (9, -4), (n, 3)], "hips.roll": [(0, -4), (5, 3), (n, 2)], "hips.yaw": [(0, 10), (6, -8), (10, 0), (n, 7)],
             "head.pitch": [(0, -16), (3, -24), (7, -4), (11, 14), (n, 3)], "head.yaw": [(0, 4), (n, -4)],
-            "arm.r.ik": [(0, 1), (8, 1), (12.5, 0)], "reach.r.x": lambda key: curve(along, key) - 0.045, "reach.r.y": grip(0), "reach.r.z": 0.19,
+            "arm.r.ik": [(0, 1), (7.5, 1), (14, 0)], "reach.r.x": lambda key: curve(along, key) - 0.045, "reach.r.y": grip(0), "reach.r.z": 0.19,
             "hand.r.pitch": [(0, 62), (4, 30), (8, -40), (12, 0)], "arm.r.pole": [(0, 50), (5, 70), (9, 40)],
-            "arm.r.swing": [(0, 120), (9, -20), (13, -34), (n, -10)], "arm.r.out": [(0, 15), (9, 30), (n, 15)], "elbow.r": [(0, 60), (9, 50), (13, 44), (n, 26)],
-            "arm.l.ik": [(0, 0), (5, 1), (7, 1), (12, 0)], "reach.l.x": lambda key: curve(along, key) + 0.06, "reach.l.y": grip(1), "reach.l.z": -0.19,
-            "arm.l.swing": [(0, 14), (5, 110), (9, 50), (12, 24), (n, 25)], "arm.l.out": [(0, 34), (3, 40), (9, 26), (n, 16)], "elbow.l": [(0, 52), (5, 84), (10, 66), (n, 77)],
+            "arm.r.swing": [(0, 120), (9, -10), (13, -24), (n, -10)], "arm.r.out": [(0, 15), (9, 30), (n, 15)], "elbow.r": [(0, 60), (9, 50), (13, 44), (n, 26)],
+            "arm.l.ik": [(0, 0), (3, 0), (6.5, 1), (7.5, 1), (12, 0)], "reach.l.x": lambda key: curve(along, key) + 0.06, "reach.l.y": grip(1), "reach.l.z": -0.19,
+            "arm.l.swing": [(0, -66), (2.5, 10), (5.5, 96), (9, 50), (12, 24), (n, 25)], "arm.l.out": [(0, 38), (3, 52), (9, 26), (n, 16)], "elbow.l": [(0, 20), (5, 84), (10, 66), (n, 77)],
             "arm.l.pole": [(0, 60), (8, 50)],
             "foot.r.x": [(0, 0.17), (4, 0.10), (7, 0.0), (9, -0.08), (13, 0.10), (n, 0.09)], "foot.r.y": [(0, 0.36), (4, 0.20), (7, 0.05), (9.5, 0.07), (13, 0.0)],
             "foot.r.pitch": [(0, -24), (4, 36), (8, 70), (11, 30), (13, 0)],
