@@ -7,9 +7,17 @@ layout(std140) uniform FrameBlock {
     vec4 ray_up;         // xyz: half its height at distance 1; w: height in pixels
     vec4 ray_forward;    // xyz: where the camera looks
     vec4 sun;            // xyz: towards the key light
-    vec4 hero;           // xyz: the hero's foot
-    vec4 puff;           // xyz: the last landing or take-off; w: seconds since then
-    vec4 scene;          // x: number of lights; y: height of the water; w: strength of the puff
-    vec4 light_at[16];   // xyz: point light; w: its reach in metres
+    vec4 hero;           // xyz: the hero's foot; w: height of the ground below him
+    vec4 puff;           // xyz: where dust or water was last stirred up; w: how long ago, 0 to 1
+    vec4 scene;          // x: number of lights; y: height of the water; z: how many lights move; w: strength of the puff
+    vec4 key_light;      // rgb: the key light; w: whether the puff is of water
+    vec4 sky_fill;       // rgb: light from above; w: how much of the leaves is there
+    vec4 ground_fill;    // rgb: light from below; w: of the dust
+    vec4 haze_cool;      // rgb: the distance; w: how thick the haze is
+    vec4 haze_warm;      // rgb: the distance where the sun has gone; w: how much thicker it is low down
+    vec4 zenith;         // rgb: the sky above; w: how many embers
+    vec4 rose;           // rgb: the sky between; w: how many stars
+    vec4 cloud;          // rgb: clouds away from the sun; w: exposure
+    vec4 light_at[16];   // xyz: point light; w: its reach in metres; first those that move
     vec4 light_colour[16];
 };

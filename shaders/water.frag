@@ -12,7 +12,7 @@ void main() {
     float mirror = 0.05 + 0.60 * grazing * grazing * grazing * grazing;
     vec3 sky = haze(vec3(mirrored.x, 0.0, mirrored.z)) * 1.05;
     float glint = max(dot(mirrored, SUNSET), 0.0);
-    vec3 light = mix(vec3(0.012, 0.060, 0.078), sky, mirror) + vec3(1.1, 0.5, 0.2) * pow(glint, 24.0);
+    vec3 light = mix(vec3(0.012, 0.060, 0.078), sky, mirror) + haze_warm.rgb * pow(glint, 24.0);
     light = mix(light, haze(from), fog(at) * 0.8);
     screen = vec4(light, 1.0);
 }

@@ -5,11 +5,12 @@
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec4 normal;
 layout(location = 2) in vec4 colour;   // rgb: sRGB; a: openness to the sky
-layout(location = 3) in vec4 traits;   // glow, sway
+layout(location = 3) in vec4 traits;   // glow, sway, nothing, whether it is baked
+layout(location = 4) in vec4 baked;    // rgb: root of a quarter of the light of the lamps that stand still; a: share of the key light
 
 void main() {
     vec3 at = blown(position, traits);
     vec3 albedo = colour.rgb * colour.rgb;   // close enough to the sRGB curve for painted colours
-    light_up(at, normal.xyz, albedo, colour.a, traits.x);
+    light_up(at, normal.xyz, albedo, colour.a, traits.x, baked, int(traits.w > 0.5 ? scene.z : scene.x));
     gl_Position = view_proj * vec4(at, 1.0);
 }

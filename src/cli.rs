@@ -5,6 +5,7 @@
 pub mod check;
 pub mod files;
 pub mod headless;
+mod help;
 pub mod lines;
 pub mod load;
 mod preset;
@@ -12,6 +13,7 @@ pub mod summary;
 pub mod tuning;
 mod walk;
 
+pub use help::HELP;
 pub use preset::Preset;
 
 use crate::game::replay::LONGEST;
@@ -24,6 +26,8 @@ use std::str::FromStr;
 /// Ticks per second unless asked otherwise.
 pub const TICK_RATE: u32 = 120;
 const TICK_RATES: RangeInclusive<u32> = 10..=2000;
+const FILM_SECONDS: RangeInclusive<u32> = 1..=3600;
+const BENCH_FRAMES: RangeInclusive<u32> = 1..=100_000;
 const SIDES: RangeInclusive<u32> = 64..=16384;
 
 /// The menus that the window can be opened with.
@@ -40,59 +44,6 @@ pub const SCREENS: [&str; 11] = [
     "credits",
     "confirm",
 ];
-
-/// The text of `--help`.
-pub const HELP: &str = "\
-Edgewalker: a side-scroller whose movement runs, exactly, on a mesh.
-
-Usage: edgewalker [options]
-
-What to play
-  --level FILE        Level to play (default: levels/quarry.ron)
-  --tuning FILE       Tuning to play with (default: tuning.local.ron, if there is one)
-  --tick-rate N       Ticks per second, 10 to 2000 (default: 120)
-  --seed N            Seed of the game's random numbers (default: 0)
-
-Runs as values
-  --record FILE       Write the inputs of this run to FILE when the game is left
-  --replay FILE       Play a recorded run; it brings its level, tuning, tick rate and seed
-  --headless          With --replay: no window, print the final state's hash and a summary
-  --screenshot FILE   Write one picture as PNG and leave; needs --at
-  --at TICK           The tick of the picture: of the replay, or of a run without input
-  --soundtrack FILE   With --replay: no window, write what is heard of the run as WAV
-
-For level makers
-  --check LEVEL       Check all meshes of a level and walk about in it at random, no window; --seed, --tuning and
-                      --tick-rate hold, and --record names the replay of a fault (default: check.replay.ron)
-  --ticks N           How long to walk (default: 100000)
-
-Window
-  --size WxH          Size in points (default: 1280x720)
-  --fullscreen        Start in fullscreen
-  --no-vsync          Do not wait for the display
-  --preset NAME       How much the picture may cost: low, medium or high (default: medium)
-  --config-dir DIR    Where settings and progress are kept (default: the user's folder for that)
-  --screen NAME       Start with a menu open: title, pause, settings, video, audio, controls, accessibility, credits...
-  --overlay           Start with the overlay open
-  --mesh              Start with the motion mesh drawn
-  --mute              No sound
-
-  --help, --version
-
-Without --level, --replay, --record or --screenshot the game starts at its title. What is said here for the window holds
-for this run and is not saved.
-
-Keys, which the settings can change
-  Left/Right, A/D     Run                      F1         Overlay: tunables, drawings, graphs
-  Space, Z            Jump                     P  .       Stop time, single step
-  Down, S             Crouch, fast fall        [  ]       Slower, faster
-  Up, W               Climb, look up           F11, Alt+Enter  Fullscreen
-  C, Ctrl             Crouch                   R          Back to the last checkpoint
-  Esc                 Pause; menus: arrows, Enter, Esc, or the mouse
-Game controllers: stick or D-pad, A jump, B crouch, Back to the last checkpoint, Start pause, right stick looks.
-
-Exit status: 0 left by the player or nothing wrong, 1 something failed or is wrong, 2 the options make no sense.
-";
 
 /// What the program was asked to do.
 #[derive(Clone, Debug, PartialEq)]
@@ -126,6 +77,10 @@ pub struct Options {
     pub source: Source,
     /// Take this picture and leave, instead of being played.
     pub screenshot: Option<Screenshot>,
+    /// Take these pictures and leave, instead of being played.
+    pub film: Option<Film>,
+    /// Measure so many frames and leave, instead of being played.
+    pub bench_frames: Option<u32>,
     /// Size in points; `None` for the default.
     pub size: Option<(u32, u32)>,
     /// Start in fullscreen.
@@ -153,7 +108,7 @@ impl Options {
             Source::Replay(_) => true,
             Source::Live { level, record, .. } => level.is_some() || record.is_some(),
         };
-        asked || self.screenshot.is_some()
+        asked || self.screenshot.is_some() || self.film.is_some() || self.bench_frames.is_some()
     }
 }
 
@@ -184,6 +139,15 @@ pub struct Screenshot {
     pub file: PathBuf,
     /// The tick to show.
     pub at: u64,
+}
+
+/// Pictures of the first seconds of a run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Film {
+    /// Where the PNG go.
+    pub folder: PathBuf,
+    /// How many seconds.
+    pub seconds: u32,
 }
 
 /// Why the options make no sense.
@@ -225,6 +189,8 @@ pub fn parse(args: impl IntoIterator<Item = OsString>) -> Result<Command, UsageE
     Ok(Command::Window(Options {
         source: given.source()?,
         screenshot: given.screenshot()?,
+        film: given.film()?,
+        bench_frames: given.number("bench-frames", BENCH_FRAMES)?,
         size: given.size()?,
         fullscreen: given.has("fullscreen"),
         vsync: !given.has("no-vsync"),
@@ -258,6 +224,9 @@ const VALUED: &[&str] = &[
     "screenshot",
     "soundtrack",
     "at",
+    "film",
+    "seconds",
+    "bench-frames",
     "size",
     "preset",
     "config-dir",
@@ -270,6 +239,9 @@ const VALUED: &[&str] = &[
 const NO_WINDOW: &[&str] = &[
     "screenshot",
     "at",
+    "film",
+    "seconds",
+    "bench-frames",
     "size",
     "fullscreen",
     "no-vsync",
@@ -294,6 +266,12 @@ const CONTRADICTIONS: &[(&str, &[&str], &str)] = &[
         &["record", "fullscreen"],
         "a screenshot is not played",
     ),
+    (
+        "bench-frames",
+        &["record", "screenshot", "film"],
+        "what is measured is not played",
+    ),
+    ("film", &["record", "screenshot"], "a film is not played"),
     (
         "check",
         &["level", "replay", "headless", "soundtrack"],
@@ -324,6 +302,8 @@ const NEEDS: &[(&str, &str)] = &[
     ("soundtrack", "replay"),
     ("screenshot", "at"),
     ("at", "screenshot"),
+    ("film", "seconds"),
+    ("seconds", "film"),
 ];
 
 /// The arguments by name, each at most once; flags have no value.
@@ -407,6 +387,12 @@ impl Given {
             .path("screenshot")
             .zip(at)
             .map(|(file, at)| Screenshot { file, at }))
+    }
+
+    fn film(&self) -> Result<Option<Film>, UsageError> {
+        let seconds = self.number("seconds", FILM_SECONDS)?;
+        let film = self.path("film").zip(seconds);
+        Ok(film.map(|(folder, seconds)| Film { folder, seconds }))
     }
 
     fn size(&self) -> Result<Option<(u32, u32)>, UsageError> {

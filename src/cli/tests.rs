@@ -57,6 +57,19 @@ fn every_option_arrives() {
         (kept.config_dir, kept.screen),
         (Some("c".into()), Some("video"))
     );
+    let film = options("--film f --seconds 20 --preset low");
+    let folder = "f".into();
+    assert_eq!(
+        (film.film, film.preset),
+        (
+            Some(Film {
+                folder,
+                seconds: 20
+            }),
+            Some(Preset::Low)
+        )
+    );
+    assert_eq!(options("--bench-frames 9").bench_frames, Some(9));
     let shot = options("--replay r --screenshot s.png --at 12 --overlay");
     assert_eq!(shot.source, Source::Replay("r".into()));
     assert_eq!(
@@ -142,6 +155,15 @@ fn nonsense_is_refused_with_the_reason() {
             "--check and --level contradict each other: it names the level, and plays it without a window",
         ),
         ("--screenshot a.png", "--screenshot needs --at"),
+        ("--film a", "--film needs --seconds"),
+        (
+            "--preset ultra",
+            "--preset: `ultra` is not low, medium or high",
+        ),
+        (
+            "--bench-frames 0",
+            "--bench-frames: `0` is not a whole number from 1 to 100000",
+        ),
         ("--at 3", "--at needs --screenshot"),
         (
             "--replay r --level l",

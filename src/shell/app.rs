@@ -33,6 +33,9 @@ const MODELS: &str = "assets/models";
 /// Time per frame without vsync by wish, and of a window that nobody looks at.
 const FREE_FRAME: Duration = Duration::from_micros(4000);
 const IDLE_FRAME: Duration = Duration::from_millis(33);
+/// Pictures a second of a film, and time per frame there and where frames are measured.
+const FILM_RATE: u32 = 60;
+const MEASURED_FRAME: Duration = Duration::from_nanos(1_000_000_000 / FILM_RATE as u64);
 /// Frames after which ImGui's windows have found their sizes, and seconds after which a menu has come to rest.
 const SETTLE_FRAMES: usize = 3;
 const SETTLE_TIME: f32 = 1.0;
@@ -171,7 +174,7 @@ impl App {
     /// # Errors
     /// OpenGL fails, or the recording cannot be written. It is written even if the picture failed.
     pub fn run(&mut self) -> Result<(), ShellError> {
-        let played = self.play_on();
+        let played = self.choose_first_preset().and_then(|()| self.play_on());
         played.and(self.finish())
     }
 
@@ -230,6 +233,41 @@ impl App {
         let edits = self.draw(elapsed.as_secs_f32())?;
         self.platform.window.gl_swap_window();
         edits.into_iter().for_each(|edit| self.apply(edit));
+        Ok(())
+    }
+
+    /// One frame of a sixtieth of a second, for measuring: ticks and picture, but no waiting for anything but that.
+    ///
+    /// # Errors
+    /// OpenGL fails.
+    pub(super) fn measured_frame(&mut self) -> Result<(), ShellError> {
+        self.poll_events();
+        self.paused = false;
+        self.advance_front(MEASURED_FRAME);
+        self.advance(MEASURED_FRAME);
+        self.draw(MEASURED_FRAME.as_secs_f32())?;
+        self.platform.window.gl_swap_window();
+        self.renderer.finish();
+        Ok(())
+    }
+
+    /// Takes the pictures of so many seconds, as many a second as a film has, without waiting for them in real time.
+    ///
+    /// # Errors
+    /// OpenGL fails, or a file cannot be written.
+    pub fn film(&mut self, folder: &Path, seconds: u32) -> Result<(), ShellError> {
+        let size = self.platform.pixels();
+        for number in 0..seconds * FILM_RATE {
+            self.notices.advance(MEASURED_FRAME);
+            self.paused = false;
+            self.advance_front(MEASURED_FRAME);
+            self.advance(MEASURED_FRAME);
+            while self.platform.events.poll_event().is_some() {}
+            self.draw(MEASURED_FRAME.as_secs_f32())?;
+            let pixels = self.renderer.read_pixels(size);
+            let file = folder.join(format!("{number:05}.png"));
+            capture::write_png(&file, size, &pixels)?;
+        }
         Ok(())
     }
 

@@ -3,7 +3,8 @@
 //! In reading order: [`app`] (the frame, as a sequence), `picture` (what it shows), [`platform`] (the window),
 //! [`input`] and [`pads`] (devices), [`clock`] (time to ticks), [`runs`] (from player or replay, recorded or not),
 //! [`play`] (a world being played), [`edits`] (what the overlay may ask for), [`reload`] (files that change),
-//! [`levels`] (those to choose from), [`notices`] (what went wrong), [`capture`] (pictures as files), [`settings`] (what
+//! [`levels`] (those to choose from), [`notices`] (what went wrong), [`capture`] (pictures as files), `bench` (frame
+//! times), [`settings`] (what
 //! is set and what has been reached, and their files), [`menu`] (title, pause, settings as values, and their look),
 //! [`front`] (the menus in the running game), `games` (runs begun and finished), `liking` (settings made to hold),
 //! [`audio`] and `sounds` (what is heard), [`hud`] (what is told beside the world), [`text`] (letters), [`overlay`]
@@ -11,6 +12,7 @@
 
 pub mod app;
 pub mod audio;
+mod bench;
 pub mod capture;
 pub mod clock;
 pub mod edits;
@@ -37,7 +39,7 @@ pub mod text;
 
 use crate::cli::files::FileError;
 use crate::cli::load::LoadError;
-use crate::cli::{Options, Screenshot};
+use crate::cli::{Film, Options, Screenshot};
 
 /// Why there is no game, or no longer one.
 #[derive(Debug)]
@@ -90,9 +92,16 @@ impl From<render::RenderError> for ShellError {
 /// # Errors
 /// Whatever keeps the game from starting, and a recording or picture that cannot be written.
 pub fn run(options: &Options) -> Result<(), ShellError> {
+    let begin = std::time::Instant::now();
     let mut app = app::App::open(options)?;
-    match &options.screenshot {
-        Some(Screenshot { file, at }) => app.screenshot(file, *at),
+    if let Some(Screenshot { file, at }) = &options.screenshot {
+        return app.screenshot(file, *at);
+    }
+    if let Some(Film { folder, seconds }) = &options.film {
+        return app.film(folder, *seconds);
+    }
+    match options.bench_frames {
+        Some(frames) => bench::run(&mut app, frames, options.preset, begin),
         None => app.run(),
     }
 }

@@ -36,6 +36,8 @@ pub fn options(level: &str) -> Options {
         preset: None,
         config_dir: Some(config_dir()),
         screen: None,
+        film: None,
+        bench_frames: None,
         overlay: false,
         mesh: false,
         mute: true,

@@ -2,6 +2,8 @@
 //!
 //! SDL allows one context per process, so these tests share one and run one after another.
 
+mod pictures;
+
 use edgewalker::anim::{Figure, Ground, Rig};
 use edgewalker::game::{Stage, View};
 
@@ -35,6 +37,11 @@ const TESTS: &[Test] = &[
     ("the quarry is drawn from start to goal", the_quarry),
     ("debug drawings lie over the scene", debug_drawings),
     ("any size", any_size),
+    ("golden pictures", pictures::golden_pictures),
+    (
+        "every pass is seen in golden pictures",
+        pictures::every_pass_is_seen,
+    ),
     ("a broken shader names file and line", a_broken_shader),
     ("a missing shader is named", a_missing_shader),
     ("a missing or broken model is named", a_broken_model),

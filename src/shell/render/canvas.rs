@@ -1,35 +1,65 @@
-//! Where the scene is drawn before it comes to the window: in linear light, at the preset's resolution.
+//! Where a picture is put together before it comes to the window: the scene in linear light at the preset's resolution,
+//! the stages of its bloom, and the picture as the screen will have it.
 
 use super::gl::Gl;
-use super::quality::Quality;
+use super::quality::{Finish, Quality};
 use super::surface::Surface;
 
 /// Most texels of a scene: those of a display of 5120 by 2880 points.
 const MOST: f32 = 5120.0 * 2880.0;
+/// The first stage of the bloom has a quarter of the scene's sides, each further one half of the one before.
+const FIRST_STAGE: u32 = 4;
 
-/// The scene's surface, made anew when the window's size changes.
+/// Surfaces of one size of the window.
+pub struct Stages {
+    /// The scene in linear light.
+    pub scene: Surface,
+    /// The bloom, from the largest stage to the smallest.
+    pub bloom: Vec<Surface>,
+    /// The picture as on the screen, where that is not drawn into the window at once.
+    pub screen: Option<Surface>,
+}
+
+/// The surfaces, made anew when the window's size changes.
 #[derive(Default)]
 pub struct Canvas {
-    scene: Option<Surface>,
+    stages: Option<Stages>,
     wanted: (u32, u32),
 }
 
 impl Canvas {
-    /// Makes the surface fit a window. If OpenGL has no room for that, the one before remains.
+    /// Makes the surfaces fit a window. If OpenGL has no room for them, those of before remain.
     pub fn fit(&mut self, gl: &Gl, quality: &Quality, window: (u32, u32)) {
         let size = scene_size(quality.scale, window, gl.largest_side());
         if self.wanted == size {
             return;
         }
         self.wanted = size;
-        if let Ok(scene) = Surface::scene(gl, size, quality.samples) {
-            self.scene = Some(scene);
+        if let Ok(stages) = Stages::new(gl, quality, size) {
+            self.stages = Some(stages);
         }
     }
 
-    /// The scene's surface; none if there never was room for one.
-    pub fn scene(&self) -> Option<&Surface> {
-        self.scene.as_ref()
+    /// The surfaces; none if there never was room for them.
+    pub fn stages(&self) -> Option<&Stages> {
+        self.stages.as_ref()
+    }
+}
+
+impl Stages {
+    fn new(gl: &Gl, quality: &Quality, size: (u32, u32)) -> Result<Stages, String> {
+        let stage = |number: u32| {
+            let share = FIRST_STAGE << number;
+            Surface::light(gl, ((size.0 / share).max(1), (size.1 / share).max(1)))
+        };
+        let screen = (quality.finish != Finish::AtOnce).then(|| Surface::screen(gl, size));
+        Ok(Stages {
+            scene: Surface::scene(gl, size, quality.samples)?,
+            bloom: (0..quality.bloom_stages)
+                .map(stage)
+                .collect::<Result<_, _>>()?,
+            screen: screen.transpose()?,
+        })
     }
 }
 

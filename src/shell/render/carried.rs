@@ -1,5 +1,6 @@
-//! Movers in the picture: models that are put where their movers are, frame by frame.
+//! What moves by itself in the picture: movers, put where they are frame by frame, and the arrows of belts.
 
+use super::fixtures::Arrows;
 use super::kit::Kit;
 use super::model::{Model, VERTEX_WORDS};
 use super::shards::Shards;
@@ -12,12 +13,15 @@ use glam::{DVec2, Mat4, Vec3};
 /// How far the marks of what crushes stand out of its front, in metres.
 const PROUD: f32 = 0.03;
 
-/// The models of all movers, where they were drawn.
+/// The models of all movers, where they were drawn, and the arrows of belts that stand still.
 #[derive(Default)]
-pub struct Carried(Vec<Model>);
+pub struct Carried {
+    movers: Vec<Model>,
+    belts: Vec<Arrows>,
+}
 
 impl Carried {
-    /// Builds the movers of a stage.
+    /// Builds the movers and belts of a stage.
     pub fn of(stage: &Stage, kit: &Kit) -> Carried {
         let outlines = stage
             .meshes(&Collider::point())
@@ -29,6 +33,9 @@ impl Carried {
             // No shard and no lamp rides on a mover.
             let fixtures = fixtures::build(kit, &features, &mut Shards::default());
             model.add(&fixtures.model, Mat4::IDENTITY);
+            for feature in &mover.features {
+                add_resting_arrows(feature, &mut model);
+            }
             if guides::stamps(mover) {
                 for feature in features.iter().filter(|f| f.material == Material::Iron) {
                     dangers::crusher(feature, terrain::FRONT + PROUD, &mut model);
@@ -36,19 +43,87 @@ impl Carried {
             }
             model
         });
-        Carried(model.collect())
+        Carried {
+            movers: model.collect(),
+            belts: stage
+                .level
+                .features
+                .iter()
+                .flat_map(fixtures::arrows)
+                .collect(),
+        }
     }
 
-    /// Replaces `words` by all vertices, each mover this far from where it was drawn, in metres.
-    pub fn write(&self, offsets: &[DVec2], words: &mut Vec<u32>) {
+    /// Replaces `words` by all vertices, each mover this far from where it was drawn, in metres, and the belts as they are
+    /// at a time, in seconds.
+    pub fn write(&self, offsets: &[DVec2], time: f64, words: &mut Vec<u32>) {
         words.clear();
-        for (model, offset) in self.0.iter().zip(offsets) {
-            let offset = offset.as_vec2().extend(0.0);
-            for vertex in model.words.chunks_exact(VERTEX_WORDS) {
-                let at = Vec3::from_array([0, 1, 2].map(|i| f32::from_bits(vertex[i]))) + offset;
-                words.extend(at.to_array().map(f32::to_bits));
-                words.extend(&vertex[3..]);
+        for (model, offset) in self.movers.iter().zip(offsets) {
+            put(model, offset.as_vec2().extend(0.0), words);
+        }
+        for belt in &self.belts {
+            let way = (time * f64::from(belt.pace)).rem_euclid(1.0) as f32;
+            for i in 0..belt.count {
+                put(&belt.model, belt.from + belt.step * (i as f32 + way), words);
             }
         }
+    }
+}
+
+/// Appends a model, moved.
+fn put(model: &Model, offset: Vec3, words: &mut Vec<u32>) {
+    for vertex in model.words.chunks_exact(VERTEX_WORDS) {
+        let at = Vec3::from_array([0, 1, 2].map(|i| f32::from_bits(vertex[i]))) + offset;
+        words.extend(at.to_array().map(f32::to_bits));
+        words.extend(&vertex[3..]);
+    }
+}
+
+/// The arrows of a belt that is itself carried show where it runs, and no more.
+fn add_resting_arrows(feature: &Feature, model: &mut Model) {
+    for belt in fixtures::arrows(feature) {
+        for i in 0..belt.count {
+            put(
+                &belt.model,
+                belt.from + belt.step * (i as f32 + 0.5),
+                &mut model.words,
+            );
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn arrows_run_with_their_belt_and_never_leave_it() {
+        let outline = [(0.0, -1.0), (6.0, -1.0), (6.0, 0.0), (0.0, 0.0)];
+        let belt = Feature {
+            conveyor: -2.0,
+            outline: outline.map(DVec2::from).to_vec(),
+            ..Feature::default()
+        };
+        let carried = Carried {
+            movers: Vec::new(),
+            belts: fixtures::arrows(&belt),
+        };
+        let tips = |time: f64| {
+            let mut words = Vec::new();
+            carried.write(&[], time, &mut words);
+            let arrow = carried.belts[0].model.words.len();
+            let tips = words
+                .chunks_exact(arrow)
+                .map(|arrow| f32::from_bits(arrow[0]));
+            tips.collect::<Vec<_>>()
+        };
+        let (before, after) = (tips(100.0), tips(100.05));
+        assert_eq!(before.len(), 8);
+        assert!(
+            before.iter().chain(&after).all(|x| (-0.3..6.0).contains(x)),
+            "{before:?} {after:?}"
+        );
+        let moved = (before[3] - after[3]).rem_euclid(0.75);
+        assert!((moved - 0.1).abs() < 1e-3, "{moved}");
     }
 }

@@ -11,6 +11,20 @@ use glam::DVec2;
 use robust::{Coord, incircle, orient2d};
 use std::collections::BTreeMap;
 
+/// What a triangle is to look like.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Look {
+    /// What it is made of.
+    pub material: Material,
+    /// Slippery.
+    pub slick: bool,
+    /// Part of something that is taller than wide.
+    pub upright: bool,
+}
+
+/// How much longer edges may be within what was built: its fronts are flat.
+const BUILT: f64 = 2.2;
+
 /// No neighbour: free space.
 pub const NONE: usize = usize::MAX;
 
@@ -23,8 +37,8 @@ pub struct Facets {
     pub origin: Vec<usize>,
     /// The half-edge on the other side.
     pub twin: Vec<usize>,
-    /// The material of each triangle.
-    pub material: Vec<Material>,
+    /// The look of each triangle.
+    pub look: Vec<Look>,
     /// One half-edge that starts at each vertex.
     leaving: Vec<usize>,
 }
@@ -45,11 +59,11 @@ fn coord(p: DVec2) -> Coord<f64> {
 
 impl Facets {
     /// Joins triangles (counter-clockwise) along the edges that they share.
-    pub fn new(triangles: &[([Point; 3], Material)]) -> Facets {
+    pub fn new(triangles: &[([Point; 3], Look)]) -> Facets {
         let mut facets = Facets::default();
         let mut vertices: BTreeMap<Point, usize> = BTreeMap::new();
         let mut edges: BTreeMap<(usize, usize), usize> = BTreeMap::new();
-        for (corners, material) in triangles {
+        for (corners, look) in triangles {
             let corners = corners.map(|point| {
                 *vertices.entry(point).or_insert_with(|| {
                     facets.points.push(point.metres());
@@ -57,7 +71,7 @@ impl Facets {
                     facets.points.len() - 1
                 })
             });
-            facets.material.push(*material);
+            facets.look.push(*look);
             for i in 0..3 {
                 let e = facets.origin.len();
                 edges.insert((corners[i], corners[(i + 1) % 3]), e);
@@ -112,6 +126,11 @@ impl Facets {
         let before = self.points.len();
         for e in 0..self.origin.len() {
             let (a, b) = self.ends(e);
+            let longest = match self.look[e / 3].material {
+                Material::Rock => longest,
+                _ if on_border => longest,
+                _ => longest * BUILT,
+            };
             if self.is_border(e) == on_border && a.distance(b) > longest {
                 let middle = (a + b) / 2.0;
                 if let Some(play) = self.play(e, gap) {
@@ -133,7 +152,7 @@ impl Facets {
         } else {
             way(e).min(way(f))
         };
-        let fixed = self.material[e / 3] != self.material[f / 3];
+        let fixed = self.look[e / 3] != self.look[f / 3];
         let height = |e: usize| {
             (b - a)
                 .perp_dot(self.points[self.origin[prev(e)]] - a)
@@ -192,12 +211,12 @@ impl Facets {
         self.points.len() - 1
     }
 
-    /// Appends a triangle of the material of half-edge `like`, without neighbours yet.
+    /// Appends a triangle of the look of half-edge `like`, without neighbours yet.
     fn add_triangle(&mut self, like: usize, corners: [usize; 3]) {
         let t = self.origin.len();
         self.origin.extend(corners);
         self.twin.extend([NONE; 3]);
-        self.material.push(self.material[like / 3]);
+        self.look.push(self.look[like / 3]);
         for (e, v) in (t..).zip(corners) {
             self.leaving[v] = e;
         }
@@ -232,7 +251,7 @@ impl Facets {
     /// triangles counter-clockwise.
     fn wants_flip(&self, e: usize) -> bool {
         let f = self.twin[e];
-        if f == NONE || self.material[e / 3] != self.material[f / 3] {
+        if f == NONE || self.look[e / 3] != self.look[f / 3] {
             return false;
         }
         let [a, b, c, d] =
@@ -309,7 +328,7 @@ impl Facets {
             let Some(e) = (t..t + 3).find(|&e| side(e) < 0.0) else {
                 return (t..t + 3).all(|e| side(e) > 0.0).then_some(t);
             };
-            if self.is_border(e) || self.material[e / 3] != self.material[self.twin[e] / 3] {
+            if self.is_border(e) || self.look[e / 3] != self.look[self.twin[e] / 3] {
                 return None;
             }
             t = self.twin[e] / 3 * 3;
@@ -363,13 +382,17 @@ mod tests {
             assert!(area > 0.0, "triangle {t} at {a}");
             area
         };
-        (0..facets.material.len()).map(area).sum()
+        (0..facets.look.len()).map(area).sum()
     }
 
     /// A 40 m by 10 m slab as two triangles, with a masonry block of 10 m by 10 m at its right end.
     fn slab() -> Facets {
         let p = |x: i32, y: i32| Point::new(x << 16, y << 16);
-        let (rock, masonry) = (Material::Rock, Material::Masonry);
+        let rock = Look::default();
+        let masonry = Look {
+            material: Material::Masonry,
+            ..rock
+        };
         let left = [
             ([p(0, 0), p(40, 0), p(40, 10)], rock),
             ([p(0, 0), p(40, 10), p(0, 10)], rock),
@@ -394,14 +417,18 @@ mod tests {
         facets.refine(1.3, 1.8, jitter);
         assert!((checked_area(&facets) - 1000.0).abs() < 1e-9);
         let length = |e: usize| facets.ends(e).0.distance(facets.ends(e).1);
-        let long = (0..facets.origin.len())
-            .filter(|&e| length(e) > if facets.is_border(e) { 1.3 } else { 1.8 });
+        let limit = |e: usize| match facets.look[e / 3].material {
+            _ if facets.is_border(e) => 1.3,
+            Material::Rock => 1.8,
+            _ => 1.8 * BUILT,
+        };
+        let long = (0..facets.origin.len()).filter(|&e| length(e) > limit(e));
         assert!(long.count() * 100 < facets.origin.len());
         let masonry =
-            (0..facets.material.len()).filter(|&t| facets.material[t] == Material::Masonry);
+            (0..facets.look.len()).filter(|&t| facets.look[t].material == Material::Masonry);
         let right =
             |t: usize| (0..3).all(|i| facets.points[facets.origin[3 * t + i]].x >= 40.0 - 1e-9);
-        assert!(masonry.clone().count() > 50 && masonry.clone().all(right));
+        assert!(masonry.clone().count() > 30 && masonry.clone().all(right));
     }
 
     #[test]

@@ -13,6 +13,9 @@ use glam::{Mat4, Vec2, Vec3, vec3};
 
 /// How far planks and belts reach back, in metres.
 const BACK: f32 = -0.85;
+/// About how far a belt's arrows are from each other, and how far before the plane of play.
+const ARROW_GAP: f32 = 0.75;
+const ARROW_DEPTH: f32 = 0.84;
 /// Where ladders stand, just behind the hero.
 const BEHIND: f32 = -0.5;
 /// Where lodestones and gates stand, behind the hero.
@@ -115,7 +118,7 @@ fn solid(kit: &Kit, feature: &Feature, model: &mut Model) {
         let along = (b - a).normalize_or_zero();
         let outward = -along.perp();
         if feature.conveyor != 0.0 && outward.y > 0.5 {
-            belt(a, b, feature.conveyor as f32, model);
+            belt(a, b, model);
         }
         if feature.climbable && outward.y.abs() < 0.7 {
             vines(kit, a, b, outward, model);
@@ -123,25 +126,70 @@ fn solid(kit: &Kit, feature: &Feature, model: &mut Model) {
     }
 }
 
-/// A worn black band with arrows in front, that point where it runs.
-fn belt(a: Vec2, b: Vec2, speed: f32, model: &mut Model) {
+/// A worn black band between two rollers; its arrows move, and are not part of this.
+fn belt(a: Vec2, b: Vec2, model: &mut Model) {
     let (a, b) = if a.x < b.x { (a, b) } else { (b, a) };
+    for end in [a, b] {
+        let middle = end.extend(0.79) - Vec3::Y * 0.26;
+        for (radius, out, paint) in [(0.24, 0.0, IRON), (0.15, 0.05, GRATE), (0.06, 0.09, RAIL)] {
+            let rim = (0..8).map(|i| {
+                let (sin, cos) = (std::f32::consts::TAU * i as f32 / 8.0).sin_cos();
+                middle + Vec3::new(radius * cos, radius * sin, out)
+            });
+            model.cap(&rim.collect::<Vec<_>>(), paint);
+        }
+    }
     let up = Vec2::new(0.0, 0.02);
     let corners = [(a, EDGE), (b, EDGE), (b, BACK), (a, BACK)];
     model.quad(corners.map(|(p, z)| (p + up).extend(z)), IRON);
-    let count = (a.distance(b) / 0.75).max(1.0) as u32;
-    for i in 0..count {
-        let middle = on(a, b, (i as f32 + 0.5) / count as f32, 0.8) - Vec3::Y * 0.26;
+}
+
+/// The arrows of a belt: one model, and the way on which they follow each other.
+pub struct Arrows {
+    /// An arrow at the origin, pointing where the belt runs, and a cleat on the band above it.
+    pub model: Model,
+    /// Where the first one starts.
+    pub from: Vec3,
+    /// To the next one.
+    pub step: Vec3,
+    /// How many there are.
+    pub count: u32,
+    /// How many steps they go in a second, against `step` if negative.
+    pub pace: f32,
+}
+
+/// The arrows of all belts of a feature.
+pub fn arrows(feature: &Feature) -> Vec<Arrows> {
+    let speed = feature.conveyor as f32;
+    let runs = edges(feature).into_iter().filter(|(a, b)| {
+        let outward = -(*b - *a).normalize_or_zero().perp();
+        speed != 0.0 && feature.kind == Kind::Solid && outward.y > 0.5
+    });
+    let arrows = |(a, b): (Vec2, Vec2)| {
+        let (a, b) = if a.x < b.x { (a, b) } else { (b, a) };
+        let count = (a.distance(b) / ARROW_GAP).max(1.0) as u32;
+        let step = (b - a) / count as f32;
+        let mut model = Model::default();
         let (x, y) = (0.2 * speed.signum(), 0.13);
-        let tip = middle + Vec3::X * x;
-        let [high, low] = [y, -y].map(|y| middle + Vec3::new(-x, y, 0.0));
+        let tip = Vec3::X * x;
+        let [high, low] = [y, -y].map(|y| Vec3::new(-x, y, 0.0));
         let corners = if x > 0.0 {
             [tip, high, low]
         } else {
             [tip, low, high]
         };
         model.facet(corners, [1.0; 3], ARROW);
-    }
+        let cleat = |z: f32| Vec3::new(0.0, 0.29, z - ARROW_DEPTH);
+        model.beam(cleat(BACK + 0.1), cleat(EDGE - 0.04), 0.035, RAIL);
+        Arrows {
+            model,
+            from: a.extend(ARROW_DEPTH) - Vec3::Y * 0.26,
+            step: step.extend(0.0),
+            count,
+            pace: speed / step.length(),
+        }
+    };
+    runs.map(arrows).collect()
 }
 
 /// Vines up a wall, one metre on the other: on the wall itself, and around its edge on the front, where they are seen best.

@@ -1,19 +1,20 @@
 //! What the app hands over for one picture, and the block of uniforms that is made of it.
 
+use super::mood::Mood;
 use crate::anim::Shown;
 use crate::game::View;
 use glam::camera::rh::proj::opengl::{orthographic, perspective};
 use glam::camera::rh::view::look_to_mat4;
-use glam::{DVec2, Mat4, Vec3, Vec4};
+use glam::{DVec2, Mat4, Vec2, Vec3, Vec4};
 
 /// Point lights that the shaders sum up.
 pub const MAX_LIGHTS: usize = 16;
 /// Nearest and farthest distance that is drawn, in metres.
 const DEPTH_RANGE: (f32, f32) = (0.5, 600.0);
-/// Texels along the shadow map's side.
+/// Texels along the side of the coarsest shadow map: others have a whole multiple.
 pub const SHADOW_TEXELS: u32 = 1024;
 /// Metres that the shadow map covers, across and along the light.
-const SHADOW_REACH: f32 = 22.0;
+const SHADOW_REACH: f32 = 20.0;
 const SHADOW_DEPTH: f32 = 70.0;
 /// Towards the key light: high on the left, a little in front, so that tops shine and fronts are modelled.
 pub const SUN: Vec3 = Vec3::new(-0.56, 0.79, 0.25);
@@ -83,7 +84,7 @@ pub struct PointLight {
 }
 
 /// The values of the shaders' `FrameBlock`, in its order.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug)]
 pub struct FrameBlock {
     /// World to clip space.
     pub view_proj: Mat4,
@@ -97,12 +98,16 @@ pub struct FrameBlock {
     pub ray_up: Vec4,
     /// Where the camera looks.
     pub ray_forward: Vec4,
-    /// The hero's foot.
+    /// The hero's foot, and the height of the ground below him.
     pub hero: Vec4,
     /// Place and age of the last puff of dust.
     pub puff: Vec4,
-    /// Number of lights (set by `write`), height of the water, nothing, strength of the puff.
+    /// Number of lights (set by `write`), height of the water, how many lights move, strength of the puff.
     pub scene: Vec4,
+    /// Whether the puff is of water: 0 or 1.
+    pub wet: f32,
+    /// Light and air.
+    pub mood: Mood,
 }
 
 impl FrameBlock {
@@ -129,7 +134,11 @@ impl FrameBlock {
             ray_right: (right * tangent * width / height).extend(width),
             ray_up: (up * tangent).extend(height),
             ray_forward: forward.extend(0.0),
-            ..FrameBlock::default()
+            hero: Vec4::ZERO,
+            puff: Vec4::ZERO,
+            scene: Vec4::ZERO,
+            wet: 0.0,
+            mood: Mood::at(&[], Vec2::ZERO, 0),
         }
     }
 
@@ -158,6 +167,9 @@ impl FrameBlock {
             scene,
         ];
         vectors.into_iter().for_each(&mut push);
+        let [key, rest @ ..] = self.mood.vectors();
+        push(key.with_w(self.wet));
+        rest.into_iter().for_each(&mut push);
         for i in 0..MAX_LIGHTS {
             push(
                 lights
@@ -289,7 +301,7 @@ mod tests {
     #[test]
     fn the_block_has_the_shaders_size() {
         let mut words = Vec::new();
-        FrameBlock::default().write(&[], &mut words);
-        assert_eq!(words.len(), 2 * 16 + 8 * 4 + 2 * MAX_LIGHTS * 4);
+        FrameBlock::new(&camera(0.0), (64, 64), 0.0).write(&[], &mut words);
+        assert_eq!(words.len(), 2 * 16 + 16 * 4 + 2 * MAX_LIGHTS * 4);
     }
 }

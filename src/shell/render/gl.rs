@@ -7,8 +7,9 @@
 
 mod pixels;
 
-use super::state::{CompileError, Format, Spec, Stage, Texels};
+use super::state::{CompileError, Format, Spec, Stage, Texels, Work};
 use glow::HasContext;
+use std::cell::Cell;
 use std::ops::Range;
 use std::rc::Rc;
 
@@ -19,6 +20,8 @@ const BLOCK_BYTES: usize = 16384;
 #[derive(Clone)]
 pub struct Gl {
     ctx: Rc<glow::Context>,
+    /// What was asked of OpenGL.
+    pub work: Rc<Cell<Work>>,
 }
 
 /// An object of OpenGL, deleted when this is dropped.
@@ -47,7 +50,7 @@ pub struct Program {
 
 /// Vertices (or instances) on the GPU, with their layout.
 pub struct Geometry {
-    ctx: Rc<glow::Context>,
+    gl: Gl,
     array: glow::VertexArray,
     buffer: glow::Buffer,
     stride: usize,
@@ -58,7 +61,7 @@ pub struct Geometry {
 
 /// A block of uniforms, bound for good to its binding point.
 pub struct Uniforms {
-    ctx: Rc<glow::Context>,
+    gl: Gl,
     buffer: glow::Buffer,
     _owned: Owned,
 }
@@ -83,7 +86,19 @@ pub fn load(find: impl FnMut(&str) -> *const std::ffi::c_void) -> glow::Context 
 impl Gl {
     /// Wraps a context that is current on this thread.
     pub fn new(ctx: Rc<glow::Context>) -> Self {
-        Gl { ctx }
+        let work = Rc::default();
+        Gl { ctx, work }
+    }
+
+    /// Notes calls, and the triangles of a draw.
+    fn note(&self, calls: u32, triangles: Option<usize>) {
+        self.work.set(self.work.get().with(calls, triangles));
+    }
+
+    /// Waits until all is drawn.
+    pub fn finish(&self) {
+        // SAFETY: no memory is involved.
+        unsafe { self.ctx.finish() }
     }
 
     /// Major and minor version of the context.
@@ -109,8 +124,8 @@ impl Gl {
     ) -> Result<Program, CompileError> {
         let gl = &self.ctx;
         let linking = |log| CompileError { stage: None, log };
-        let vertex = self.shader(glow::VERTEX_SHADER, Stage::Vertex, vertex)?;
-        let fragment = self.shader(glow::FRAGMENT_SHADER, Stage::Fragment, fragment)?;
+        let vertex = self.shader(Stage::Vertex, vertex)?;
+        let fragment = self.shader(Stage::Fragment, fragment)?;
         // SAFETY: only live names are used.
         unsafe {
             let raw = gl.create_program().map_err(linking)?;
@@ -136,13 +151,8 @@ impl Gl {
     }
 
     /// Compiles one stage.
-    fn shader(
-        &self,
-        kind: u32,
-        stage: Stage,
-        source: &str,
-    ) -> Result<(glow::Shader, Owned), CompileError> {
-        let gl = &self.ctx;
+    fn shader(&self, stage: Stage, source: &str) -> Result<(glow::Shader, Owned), CompileError> {
+        let (gl, kind) = (&self.ctx, stage.kind());
         let stage = Some(stage);
         // SAFETY: only live names are used.
         unsafe {
@@ -162,7 +172,7 @@ impl Gl {
         }
     }
 
-    /// Empty geometry; `per_instance` advances its attributes once per instance instead of once per vertex.
+    /// Empty geometry; `per_instance` advances its attributes once per instance, not once per vertex.
     pub fn geometry(&self, layout: &[Format], per_instance: bool) -> Result<Geometry, String> {
         let gl = &self.ctx;
         let stride: i32 = layout.iter().map(|format| format.parts().3).sum();
@@ -183,7 +193,7 @@ impl Gl {
             }
             gl.bind_vertex_array(None);
             Ok(Geometry {
-                ctx: self.ctx.clone(),
+                gl: self.clone(),
                 array,
                 buffer,
                 stride: stride as usize,
@@ -196,18 +206,15 @@ impl Gl {
 
     /// A uniform block at a binding point.
     pub fn uniforms(&self, point: u32) -> Result<Uniforms, String> {
-        let gl = &self.ctx;
+        let (gl, ctx) = (self.clone(), &self.ctx);
         // SAFETY: the buffer has BLOCK_BYTES bytes before anything reads it.
         unsafe {
-            let buffer = gl.create_buffer()?;
-            gl.bind_buffer(glow::UNIFORM_BUFFER, Some(buffer));
-            gl.buffer_data_size(glow::UNIFORM_BUFFER, BLOCK_BYTES as i32, glow::DYNAMIC_DRAW);
-            gl.bind_buffer_base(glow::UNIFORM_BUFFER, point, Some(buffer));
-            Ok(Uniforms {
-                ctx: self.ctx.clone(),
-                buffer,
-                _owned: self.own(Name::Buffer(buffer)),
-            })
+            let buffer = ctx.create_buffer()?;
+            let _owned = self.own(Name::Buffer(buffer));
+            let uniforms = Uniforms { gl, buffer, _owned };
+            uniforms.upload(&[]);
+            ctx.bind_buffer_base(glow::UNIFORM_BUFFER, point, Some(buffer));
+            Ok(uniforms)
         }
     }
 
@@ -231,49 +238,40 @@ impl Gl {
     /// An empty buffer that is drawn into and never read by shaders.
     pub fn renderbuffer(&self, spec: &Spec) -> Result<Owned, String> {
         let gl = &self.ctx;
-        let (width, height, samples) =
-            (spec.size.0 as i32, spec.size.1 as i32, spec.samples as i32);
+        let (width, height) = (spec.size.0 as i32, spec.size.1 as i32);
+        let (kind, samples) = (glow::RENDERBUFFER, spec.samples as i32);
         let (format, _, _) = spec.texels.format();
         // SAFETY: no client memory is passed.
         unsafe {
             let raw = gl.create_renderbuffer()?;
             let owned = self.own(Name::Renderbuffer(raw));
-            gl.bind_renderbuffer(glow::RENDERBUFFER, Some(raw));
-            gl.renderbuffer_storage_multisample(glow::RENDERBUFFER, samples, format, width, height);
+            gl.bind_renderbuffer(kind, Some(raw));
+            gl.renderbuffer_storage_multisample(kind, samples, format, width, height);
             Ok(owned)
         }
     }
 
-    /// A framebuffer of a picture, a depth buffer, or both. It stays bound.
+    /// A framebuffer of a picture, a depth buffer, or both in this order. It stays bound.
     pub fn framebuffer(&self, parts: &[(Texels, &Owned)]) -> Result<Owned, String> {
         let gl = &self.ctx;
-        use glow::{
-            COLOR_ATTACHMENT0, DEPTH_ATTACHMENT, FRAMEBUFFER, NONE, RENDERBUFFER, TEXTURE_2D,
-        };
-        let buffer = match parts.iter().any(|(texels, _)| *texels != Texels::Depth) {
-            true => COLOR_ATTACHMENT0,
-            false => NONE,
-        };
+        use glow::{FRAMEBUFFER, RENDERBUFFER, TEXTURE_2D};
+        let buffer = parts[0].0.buffer();
         // SAFETY: all names are live; an incomplete framebuffer is an error that is told.
         unsafe {
             let raw = gl.create_framebuffer()?;
             let owned = self.own(Name::Framebuffer(raw));
             gl.bind_framebuffer(FRAMEBUFFER, Some(raw));
+            let all = FRAMEBUFFER;
             gl.draw_buffer(buffer);
             gl.read_buffer(buffer);
             for (texels, part) in parts {
-                let at = match texels {
-                    Texels::Depth => DEPTH_ATTACHMENT,
-                    Texels::Light | Texels::Coverage => COLOR_ATTACHMENT0,
-                };
+                let at = texels.attachment();
                 match part.name {
-                    Name::Texture(name) => {
-                        gl.framebuffer_texture_2d(FRAMEBUFFER, at, TEXTURE_2D, Some(name), 0)
+                    Name::Texture(t) => gl.framebuffer_texture_2d(all, at, TEXTURE_2D, Some(t), 0),
+                    Name::Renderbuffer(r) => {
+                        gl.framebuffer_renderbuffer(all, at, RENDERBUFFER, Some(r))
                     }
-                    Name::Renderbuffer(name) => {
-                        gl.framebuffer_renderbuffer(FRAMEBUFFER, at, RENDERBUFFER, Some(name))
-                    }
-                    _ => return Err("nothing that a framebuffer can have".into()),
+                    _ => {} // leaves the framebuffer incomplete
                 }
             }
             match gl.check_framebuffer_status(FRAMEBUFFER) {
@@ -294,11 +292,13 @@ impl Gl {
         let Name::Texture(raw) = texture.name else {
             return;
         };
+        let gl = &self.ctx;
+        self.note(3, None);
         // SAFETY: no program reads it while it is the target.
         unsafe {
-            self.ctx.active_texture(glow::TEXTURE0 + unit);
-            self.ctx.bind_texture(glow::TEXTURE_2D, Some(raw));
-            self.ctx.active_texture(glow::TEXTURE0);
+            gl.active_texture(glow::TEXTURE0 + unit);
+            gl.bind_texture(glow::TEXTURE_2D, Some(raw));
+            gl.active_texture(glow::TEXTURE0);
         }
     }
 
@@ -306,6 +306,7 @@ impl Gl {
     pub fn copy(&self, from: Bound, to: Bound, (width, height): (u32, u32)) {
         let (gl, w, h) = (&self.ctx, width as i32, height as i32);
         let (mask, filter) = (glow::COLOR_BUFFER_BIT, glow::NEAREST);
+        self.note(3, None);
         // SAFETY: no client memory is involved.
         unsafe {
             gl.bind_framebuffer(glow::READ_FRAMEBUFFER, from.0);
@@ -316,17 +317,30 @@ impl Gl {
 
     /// The framebuffer that is bound for drawing.
     pub fn bound(&self) -> Bound {
+        let name = glow::DRAW_FRAMEBUFFER_BINDING;
         // SAFETY: a query of state.
-        Bound(unsafe {
-            self.ctx
-                .get_parameter_framebuffer(glow::DRAW_FRAMEBUFFER_BINDING)
-        })
+        Bound(unsafe { self.ctx.get_parameter_framebuffer(name) })
     }
 
     /// Binds a framebuffer that [`Gl::bound`] named.
     pub fn bind(&self, bound: Bound) {
+        self.note(1, None);
         // SAFETY: an unknown name is an OpenGL error, not a memory error.
         unsafe { self.ctx.bind_framebuffer(glow::FRAMEBUFFER, bound.0) }
+    }
+
+    /// Puts data at the start of a buffer of so many bytes. It gets new memory, so that nobody waits for draws that read
+    /// the old.
+    fn refill(&self, (kind, buffer): (u32, glow::Buffer), capacity: usize, words: &[u32]) {
+        let (gl, data) = (&self.ctx, bytes(words));
+        assert!(data.len() <= capacity, "{} bytes", data.len());
+        self.note(3, None);
+        // SAFETY: what is written lies within the buffer.
+        unsafe {
+            gl.bind_buffer(kind, Some(buffer));
+            gl.buffer_data_size(kind, capacity as i32, glow::DYNAMIC_DRAW);
+            gl.buffer_sub_data_u8_slice(kind, 0, data);
+        }
     }
 
     /// Will delete an object.
@@ -338,6 +352,7 @@ impl Gl {
     /// Sets what no pass changes, whatever others left behind.
     pub fn set_defaults(&self, units: u32) {
         let gl = &self.ctx;
+        self.note(8 + units, None);
         // SAFETY: state; no memory is involved.
         unsafe {
             gl.polygon_mode(glow::FRONT_AND_BACK, glow::FILL);
@@ -354,6 +369,7 @@ impl Gl {
 
     /// Turns something on or off.
     pub fn switch(&self, name: u32, on: bool) {
+        self.note(1, None);
         // SAFETY: state; an unknown name is an OpenGL error.
         match on {
             true => unsafe { self.ctx.enable(name) },
@@ -363,6 +379,7 @@ impl Gl {
 
     /// Whether the depth of what is drawn is kept.
     pub fn keep_depth(&self, keep: bool) {
+        self.note(1, None);
         // SAFETY: state.
         unsafe { self.ctx.depth_mask(keep) }
     }
@@ -371,6 +388,7 @@ impl Gl {
     pub fn viewport(&self, width: u32, height: u32) {
         let gl = &self.ctx;
         let clamp = |side: u32| side.min(i32::MAX as u32) as i32;
+        self.note(3, None);
         // SAFETY: OpenGL clamps the size to what it can do.
         unsafe {
             gl.viewport(0, 0, clamp(width), clamp(height));
@@ -381,34 +399,40 @@ impl Gl {
 
     /// Fills the target with one colour, as it shall appear.
     pub fn fill(&self, [r, g, b]: [f32; 3]) {
+        let gl = &self.ctx;
         // SAFETY: no memory is involved.
         unsafe {
-            self.ctx.clear_color(r, g, b, 1.0);
-            self.ctx.clear(glow::COLOR_BUFFER_BIT);
+            gl.clear_color(r, g, b, 1.0);
+            gl.clear(glow::COLOR_BUFFER_BIT);
         }
     }
 
     /// Draws triangles of per-vertex geometry; the range is cut to what there is.
     pub fn triangles(&self, program: &Program, geometry: &Geometry, range: Range<usize>) {
-        let gl = &self.ctx;
-        let end = range.end.min(geometry.count);
-        let count = end.saturating_sub(range.start);
-        // SAFETY: the range lies within the uploaded vertices.
-        unsafe {
-            gl.use_program(Some(program.raw));
-            gl.bind_vertex_array(Some(geometry.array));
-            gl.draw_arrays(glow::TRIANGLES, range.start as i32, count as i32);
-        }
+        let count = range.end.min(geometry.count).saturating_sub(range.start);
+        self.draw(program, geometry, (range.start, count), 1);
     }
 
     /// Draws all instances, each of `vertices` corners that the shader makes from `gl_VertexID`.
     pub fn instances(&self, program: &Program, geometry: &Geometry, vertices: u32) {
-        let gl = &self.ctx;
-        // SAFETY: attributes advance per instance and there are `count` of them.
+        self.draw(program, geometry, (0, vertices as usize), geometry.count);
+    }
+
+    /// Draws some vertices so many times.
+    fn draw(
+        &self,
+        program: &Program,
+        from: &Geometry,
+        (first, count): (usize, usize),
+        times: usize,
+    ) {
+        let (gl, kind) = (&self.ctx, glow::TRIANGLES);
+        self.note(3, Some(count / 3 * times));
+        // SAFETY: the callers keep vertices, or instances, within those that were uploaded.
         unsafe {
             gl.use_program(Some(program.raw));
-            gl.bind_vertex_array(Some(geometry.array));
-            gl.draw_arrays_instanced(glow::TRIANGLES, 0, vertices as i32, geometry.count as i32);
+            gl.bind_vertex_array(Some(from.array));
+            gl.draw_arrays_instanced(kind, first as i32, count as i32, times as i32);
         }
     }
 }
@@ -416,37 +440,19 @@ impl Gl {
 impl Geometry {
     /// Replaces all vertices; the buffer grows when it must and never shrinks.
     pub fn upload(&mut self, words: &[u32]) {
-        let gl = &self.ctx;
-        let data = bytes(words);
-        self.count = data.len() / self.stride;
-        // SAFETY: the sub-range that is written lies within the buffer, whose size is `capacity`.
-        unsafe {
-            gl.bind_buffer(glow::ARRAY_BUFFER, Some(self.buffer));
-            if data.len() > self.capacity {
-                self.capacity = data.len().next_power_of_two();
-                gl.buffer_data_size(glow::ARRAY_BUFFER, self.capacity as i32, glow::DYNAMIC_DRAW);
-            }
-            gl.buffer_sub_data_u8_slice(glow::ARRAY_BUFFER, 0, data);
-        }
+        let bytes = size_of_val(words);
+        self.count = bytes / self.stride;
+        self.capacity = self.capacity.max(bytes.next_power_of_two());
+        self.gl
+            .refill((glow::ARRAY_BUFFER, self.buffer), self.capacity, words);
     }
 }
 
 impl Uniforms {
     /// Replaces the start of the block.
     pub fn upload(&self, words: &[u32]) {
-        let data = bytes(words);
-        assert!(
-            data.len() <= BLOCK_BYTES,
-            "a uniform block of {} bytes",
-            data.len()
-        );
-        // SAFETY: the buffer has BLOCK_BYTES bytes.
-        unsafe {
-            self.ctx
-                .bind_buffer(glow::UNIFORM_BUFFER, Some(self.buffer));
-            self.ctx
-                .buffer_sub_data_u8_slice(glow::UNIFORM_BUFFER, 0, data);
-        }
+        self.gl
+            .refill((glow::UNIFORM_BUFFER, self.buffer), BLOCK_BYTES, words);
     }
 }
 

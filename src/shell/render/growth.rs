@@ -24,7 +24,10 @@ pub fn add_grass(facets: &Facets, model: &mut Model) {
             facets.points[facets.origin[next(e)]].as_vec2(),
         );
         let normal = -(b - a).perp().normalize_or_zero();
-        if normal.y < FLAT || facets.material[e / 3] != Material::Rock {
+        if normal.y < FLAT
+            || facets.look[e / 3].material != Material::Rock
+            || facets.look[e / 3].slick
+        {
             continue;
         }
         // Bare stretches between overgrown ones.

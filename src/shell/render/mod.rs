@@ -5,8 +5,10 @@
 
 mod air;
 mod backdrop;
+mod bake;
 mod canvas;
 mod carried;
+mod courses;
 mod dangers;
 mod debug;
 mod error;
@@ -14,17 +16,21 @@ mod facets;
 mod fixtures;
 mod frame;
 pub(in crate::shell) mod gl;
+mod ground;
 mod growth;
 mod guides;
 mod hero;
 mod kit;
 mod lamps;
 mod model;
+mod mood;
+mod passes;
 pub(in crate::shell) mod program;
 mod quality;
 mod scene;
 mod scenery;
 mod shards;
+mod sky;
 pub(in crate::shell) mod state;
 mod surface;
 mod terrain;
@@ -34,36 +40,43 @@ pub use crate::cli::Preset;
 pub use error::RenderError;
 pub use frame::{CameraPose, Frame, Line, PointLight, Tri};
 pub use gl::load;
+pub use passes::Pass;
+pub use state::Work;
 
 use crate::anim::Rig;
-use crate::game::Stage;
+use crate::game::{Stage, Stance, View};
+use crate::level::Area;
 use air::Air;
 use canvas::Canvas;
 use carried::Carried;
 use debug::Debug;
 use frame::FrameBlock;
-use gl::{Geometry, Gl, Program, Uniforms};
+use gl::{Geometry, Gl, Uniforms};
 use glam::{Vec3, Vec4};
+use ground::Ground;
 use hero::Hero;
 use kit::Kit;
-use program::Library;
+use mood::Mood;
+use passes::Programs;
 use quality::Quality;
 use scene::{Chunk, Scene};
 use shards::Shards;
-use state::{Blend, Cull, Depth, Format};
-use std::ops::Range;
+use state::Format;
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 use std::sync::Arc;
 use surface::Surface;
 
-/// Layout of the model's vertices: position, normal, colour, traits.
-const VERTEX: [Format; 4] = [Format::F3, Format::Snorm4, Format::Unorm4, Format::Unorm4];
+/// Layout of the model's vertices: position, normal, colour, traits, baked light.
+const VERTEX: [Format; 5] = [
+    Format::F3,
+    Format::Snorm4,
+    Format::Unorm4,
+    Format::Unorm4,
+    Format::Unorm4,
+];
 /// Behind the debug lines when the world is not drawn.
 const BACKGROUND: [f32; 3] = [0.07, 0.08, 0.10];
-/// Texture units, in the order of [`program::SAMPLERS`].
-const SHADOW_UNIT: u32 = 0;
-const LIGHT_UNIT: u32 = 1;
 
 /// Draws frames. Owns everything it made in its OpenGL context.
 pub struct Renderer {
@@ -74,6 +87,7 @@ pub struct Renderer {
     frame_uniforms: Uniforms,
     shadow_map: Option<Surface>,
     canvas: Canvas,
+    left_out: Option<Pass>,
     /// Three corners for passes over the whole picture.
     whole: Geometry,
     world: Geometry,
@@ -85,6 +99,10 @@ pub struct Renderer {
     hero: Hero,
     water: Geometry,
     water_height: f32,
+    areas: Vec<Area>,
+    sky: Geometry,
+    firmament: Geometry,
+    ground: Ground,
     air: Air,
     debug: Debug,
     /// All lamps of the stage, and those of the current picture.
@@ -93,44 +111,6 @@ pub struct Renderer {
     gate: Option<PointLight>,
     /// Room to put uploads together in, kept from frame to frame.
     words: Vec<u32>,
-}
-
-/// One program for each pass.
-struct Programs {
-    shadow: Program,
-    world: Program,
-    hero: Program,
-    hero_shadow: Program,
-    hero_line: Program,
-    water: Program,
-    sky: Program,
-    glow: Program,
-    mote: Program,
-    resolve: Program,
-    line: Program,
-    flat: Program,
-}
-
-impl Programs {
-    fn load(gl: &Gl, dir: &Path, quality: &Quality) -> Result<Programs, RenderError> {
-        let defines = &quality.defines();
-        let library = Library { dir, defines };
-        let load = |vertex, fragment| program::load(gl, &library, vertex, fragment);
-        Ok(Programs {
-            shadow: load("shadow", "shadow")?,
-            world: load("world", "world")?,
-            hero: load("hero", "world")?,
-            hero_shadow: load("hero_shadow", "shadow")?,
-            hero_line: load("hero_line", "flat")?,
-            water: load("water", "water")?,
-            sky: load("sky", "sky")?,
-            glow: load("glow", "soft")?,
-            mote: load("mote", "soft")?,
-            resolve: load("whole", "resolve")?,
-            line: load("line", "flat")?,
-            flat: load("flat", "flat")?,
-        })
-    }
 }
 
 impl Renderer {
@@ -160,6 +140,7 @@ impl Renderer {
             frame_uniforms: gl.uniforms(0)?,
             shadow_map: shadow_map(&gl, &quality)?,
             canvas: Canvas::default(),
+            left_out: None,
             whole,
             quality,
             world: gl.geometry(&VERTEX, false)?,
@@ -171,6 +152,10 @@ impl Renderer {
             hero: Hero::new(&gl)?,
             water: water::surface(&gl)?,
             water_height: 0.0,
+            areas: Vec::new(),
+            sky: sky::grid(&gl)?,
+            firmament: sky::things(&gl)?,
+            ground: Ground::default(),
             air: Air::new(&gl)?,
             debug: Debug::new(&gl)?,
             lamps: Vec::new(),
@@ -192,6 +177,8 @@ impl Renderer {
         self.carried = Carried::of(stage, &self.kit);
         self.lamps = scene.lamps;
         self.gate = scene.gate;
+        self.areas = stage.level.areas.clone();
+        self.ground = Ground::of(stage);
     }
 
     /// Replaces the hero's model.
@@ -221,6 +208,11 @@ impl Renderer {
         Ok(())
     }
 
+    /// Draws pictures without one of their passes, to see what it is good for; `None` draws all.
+    pub fn leave_out(&mut self, pass: Option<Pass>) {
+        self.left_out = pass;
+    }
+
     /// Reads all shaders again.
     ///
     /// # Errors
@@ -240,17 +232,8 @@ impl Renderer {
         self.gl.reset();
         self.canvas.fit(&self.gl, &self.quality, size);
         let hero = 0..frame.hero.map_or(0, |_| usize::MAX);
-        if let (true, Some(scene)) = (frame.show_world, self.canvas.scene()) {
-            self.shadow_pass(&block, hero.clone());
-            scene.draw_into(&self.gl);
-            self.world_pass(&block, hero);
-            self.water_pass();
-            self.sky_pass();
-            self.air_pass();
-            scene.resolve(&self.gl);
-            self.gl.bind(window);
-            self.gl.viewport(size.0, size.1);
-            self.resolve_pass(scene);
+        if let (true, Some(stages)) = (frame.show_world, self.canvas.stages()) {
+            self.draw_scene(&block, hero, stages, (window, size));
         } else {
             self.gl.viewport(size.0, size.1);
             self.gl.fill(BACKGROUND);
@@ -265,6 +248,16 @@ impl Renderer {
         rows.rev().flatten().copied().collect()
     }
 
+    /// Waits until all is drawn: for measuring alone.
+    pub fn finish(&self) {
+        self.gl.finish();
+    }
+
+    /// What was asked of OpenGL since the last call.
+    pub fn take_work(&self) -> Work {
+        self.gl.work.take()
+    }
+
     /// The first OpenGL error since the last call, as OpenGL's number.
     pub fn take_error(&self) -> Option<u32> {
         self.gl.take_error()
@@ -274,17 +267,21 @@ impl Renderer {
     fn upload(&mut self, frame: &Frame, size: (u32, u32)) -> FrameBlock {
         let foot = frame.view.position.as_vec2().extend(0.0);
         let lamp = self.hero.upload(frame.hero, frame.time, &mut self.words);
-        self.light(frame, lamp);
-        let (puff, strength) = self.air.puff(frame.view, foot);
+        let moving = self.light(frame, lamp);
+        let water = self.water_height;
+        let stirred = self.air.puff(frame.view, foot, water);
         let block = FrameBlock {
-            hero: foot.extend(0.0),
-            puff,
-            scene: Vec4::new(0.0, self.water_height, 0.0, strength),
+            hero: foot.extend(self.ground_below(frame.view)),
+            puff: stirred.at,
+            scene: Vec4::new(0.0, water, moving as f32, stirred.strength),
+            wet: f32::from(u8::from(stirred.wet)),
+            mood: Mood::at(&self.areas, frame.camera.target.truncate(), frame.view.area),
             ..FrameBlock::new(&frame.camera, size, frame.time)
         };
         block.write(&self.lit, &mut self.words);
         self.frame_uniforms.upload(&self.words);
-        self.carried.write(frame.offsets, &mut self.words);
+        self.carried
+            .write(frame.offsets, frame.time, &mut self.words);
         let aim = frame.camera.target;
         self.shards
             .write(frame.view, aim, frame.time, &mut self.words);
@@ -295,11 +292,12 @@ impl Renderer {
     }
 
     /// Chooses the lamps of a picture: the hero's always, the checkpoint's that holds, the gate's second light once it is
-    /// reached, then the nearest.
-    fn light(&mut self, frame: &Frame, hero: Option<PointLight>) {
+    /// reached, then the nearest. Gives how many of them are not baked into what stands still.
+    fn light(&mut self, frame: &Frame, hero: Option<PointLight>) -> usize {
         self.lit.clear();
         lamps::choose(&self.lamps, frame.camera.target, &mut self.lit);
         self.lit.truncate(frame::MAX_LIGHTS - 3);
+        let standing = self.lit.len();
         self.lit.extend(self.shards.light(frame.view));
         if let (Some(at), Some(gate)) = (frame.view.won_at, self.gate) {
             let share = (frame.view.time - at).clamp(0.0, 1.0) as f32;
@@ -309,86 +307,20 @@ impl Renderer {
             });
         }
         self.lit.extend(hero);
+        let moving = self.lit.len() - standing;
+        self.lit.rotate_right(moving);
+        moving
     }
 
-    /// Depth of everything near, seen from the key light.
-    fn shadow_pass(&self, block: &FrameBlock, hero: Range<usize>) {
-        let Some(shadow_map) = &self.shadow_map else {
-            return;
-        };
-        shadow_map.draw_into(&self.gl);
-        self.gl.state(Depth::Write, Blend::Off, Cull::Off);
-        self.gl
-            .triangles(&self.programs.hero_shadow, &self.hero.mesh, hero.clone());
-        self.gl
-            .triangles(&self.programs.shadow, &self.movers, 0..usize::MAX);
-        for chunk in self
-            .chunks
-            .iter()
-            .filter(|chunk| block.shades(chunk.min, chunk.max))
-        {
-            self.gl
-                .triangles(&self.programs.shadow, &self.world, chunk.vertices.clone());
+    /// The height of what is under the hero; far below where nothing is.
+    fn ground_below(&self, view: &View) -> f32 {
+        let foot = view.position.as_vec2();
+        match view.stance {
+            Stance::Ground | Stance::Wedge => foot.y,
+            Stance::Air | Stance::Slide | Stance::Climb => {
+                self.ground.below(foot).unwrap_or(f32::MIN / 2.0)
+            }
         }
-    }
-
-    /// The hero, the level and the distance: from front to back, so that hidden fragments cost little.
-    fn world_pass(&self, block: &FrameBlock, hero: Range<usize>) {
-        if let Some(shadow_map) = &self.shadow_map {
-            shadow_map.read_from(&self.gl, SHADOW_UNIT);
-        }
-        self.gl.state(Depth::Write, Blend::Off, Cull::Back);
-        self.gl
-            .triangles(&self.programs.hero, &self.hero.mesh, hero.clone());
-        if self.hero.is_marked() {
-            self.gl
-                .triangles(&self.programs.hero_line, &self.hero.mesh, hero);
-        }
-        self.gl
-            .triangles(&self.programs.world, &self.movers, 0..usize::MAX);
-        for chunk in self
-            .chunks
-            .iter()
-            .filter(|chunk| block.sees(chunk.min, chunk.max))
-        {
-            self.gl
-                .triangles(&self.programs.world, &self.world, chunk.vertices.clone());
-        }
-    }
-
-    /// The water under the level.
-    fn water_pass(&self) {
-        self.gl.state(Depth::Write, Blend::Off, Cull::Off);
-        self.gl
-            .triangles(&self.programs.water, &self.water, 0..usize::MAX);
-    }
-
-    /// The sky, wherever nothing else is.
-    fn sky_pass(&self) {
-        self.gl.state(Depth::Test, Blend::Off, Cull::Off);
-        self.gl.triangles(&self.programs.sky, &self.whole, 0..3);
-    }
-
-    /// Halos, dust, embers and puffs, over the scene but behind what is nearer.
-    fn air_pass(&self) {
-        self.gl.state(Depth::Test, Blend::Over, Cull::Off);
-        self.gl.instances(&self.programs.glow, &self.air.glows, 6);
-        self.gl.instances(&self.programs.mote, &self.air.motes, 6);
-    }
-
-    /// The scene in the window: from linear light to the screen.
-    fn resolve_pass(&self, scene: &Surface) {
-        self.gl.state(Depth::Off, Blend::Off, Cull::Off);
-        scene.read_from(&self.gl, LIGHT_UNIT);
-        self.gl.triangles(&self.programs.resolve, &self.whole, 0..3);
-    }
-
-    /// Developers' drawings, over everything.
-    fn debug_pass(&self) {
-        self.gl.state(Depth::Off, Blend::Over, Cull::Off);
-        self.gl
-            .triangles(&self.programs.flat, &self.debug.tris, 0..usize::MAX);
-        self.gl.instances(&self.programs.line, &self.debug.lines, 6);
     }
 }
 

@@ -2,8 +2,10 @@
 
 use glam::{Mat4, Vec3};
 
-/// Words of one vertex: position, normal, colour and shade, traits.
-pub const VERTEX_WORDS: usize = 6;
+/// Words of one vertex: position, normal, colour and shade, traits, baked light.
+pub const VERTEX_WORDS: usize = 7;
+/// Of the baked light: no lamp, and the key light unhindered.
+const UNBAKED: u32 = u32::from_ne_bytes([0, 0, 0, 255]);
 
 /// Which of them are the normal, the colour and the traits.
 const NORMAL: usize = 3;
@@ -98,7 +100,18 @@ impl Model {
         let Some(normal) = (b - a).cross(c - a).try_normalize() else {
             return;
         };
-        let middle = (a + b + c) / 3.0;
+        self.facet_facing(normal, corners, shade, paint);
+    }
+
+    /// A facet that is lit as if it faced a direction.
+    pub fn facet_facing(
+        &mut self,
+        normal: Vec3,
+        corners: [Vec3; 3],
+        shade: [f32; 3],
+        paint: Paint,
+    ) {
+        let middle = corners.iter().sum::<Vec3>() / 3.0;
         let brighter = (hash(middle, 1) - 0.5) * 2.0 * paint.variety;
         let warmer = (hash(middle, 2) - 0.5) * 0.6 * paint.variety;
         let colour = paint.colour * (1.0 + brighter) * Vec3::new(1.0 + warmer, 1.0, 1.0 - warmer);
@@ -108,6 +121,7 @@ impl Model {
             self.words.push(pack_signed(normal));
             self.words.push(pack([colour.x, colour.y, colour.z, shade]));
             self.words.push(traits);
+            self.words.push(UNBAKED);
         }
     }
 
@@ -156,7 +170,7 @@ impl Model {
     pub fn blade(&mut self, corners: [Vec3; 3], paint: Paint) {
         let before = self.words.len();
         self.facet(corners, [0.6, 0.6, 1.0], paint);
-        let tip = before + 3 * VERTEX_WORDS - 1;
+        let tip = before + 3 * VERTEX_WORDS - 2;
         if let Some(traits) = self.words.get_mut(tip) {
             *traits = pack([paint.glow, 0.6, 0.0, 0.0]);
         }
@@ -263,7 +277,8 @@ pub fn pack_signed(v: Vec3) -> u32 {
     u32::from_ne_bytes([x, y, z, 0])
 }
 
-fn unpack_signed(word: u32) -> Vec3 {
+/// Back from signed bytes.
+pub fn unpack_signed(word: u32) -> Vec3 {
     let [x, y, z, _] = word.to_ne_bytes().map(|b| f32::from(b as i8) / 127.0);
     Vec3::new(x, y, z)
 }

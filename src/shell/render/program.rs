@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 pub const BLOCKS: [&str; 2] = ["FrameBlock", "HeroBlock"];
 
 /// Samplers by name, in the order of the texture units that they read.
-pub const SAMPLERS: [&str; 3] = ["shadow_map", "light_map", "bloom_map"];
+pub const SAMPLERS: [&str; 4] = ["shadow_map", "light_map", "bloom_map", "screen_map"];
 
 /// Where shaders come from: their directory, and the lines that are put before each.
 pub struct Library<'a> {

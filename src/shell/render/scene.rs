@@ -4,7 +4,7 @@ use super::frame::PointLight;
 use super::kit::Kit;
 use super::model::{Model, VERTEX_WORDS};
 use super::shards::Shards;
-use super::{backdrop, fixtures, guides, scenery, terrain, water};
+use super::{backdrop, bake, fixtures, guides, scenery, terrain, water};
 use crate::game::Stage;
 use crate::geom::Collider;
 use crate::level::Feature;
@@ -12,8 +12,8 @@ use glam::{Vec2, Vec3};
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-/// Metres along x in one chunk, of the level and of the distance.
-const NEAR_CHUNK: f32 = 12.0;
+/// Metres along the sides of a chunk, of the level and of the distance.
+const NEAR_CHUNK: f32 = 10.0;
 const FAR_CHUNK: f32 = 60.0;
 /// Height of the water above the level's bottom: who falls out of the level is under it.
 const WATER: f32 = 1.2;
@@ -81,18 +81,20 @@ impl Scene {
         scene.add(&fixtures.model, NEAR_CHUNK);
         scene.add(&goal.model, NEAR_CHUNK);
         scene.add(&guides::build(kit, &stage.level.movers), NEAR_CHUNK);
+        bake::bake(&mut scene.words, &scene.lamps);
         scene.add(&backdrop::build(kit, min, max, water), FAR_CHUNK);
         scene
     }
 
-    /// Appends a model, cut along x into chunks of `width` metres.
-    fn add(&mut self, model: &Model, width: f32) {
-        let mut columns: BTreeMap<i32, Vec<u32>> = BTreeMap::new();
+    /// Appends a model, cut along x and y into chunks of `side` metres.
+    fn add(&mut self, model: &Model, side: f32) {
+        let mut cells: BTreeMap<(i32, i32), Vec<u32>> = BTreeMap::new();
         for triangle in model.words.chunks_exact(3 * VERTEX_WORDS) {
-            let column = (f32::from_bits(triangle[0]) / width).floor() as i32;
-            columns.entry(column).or_default().extend(triangle);
+            let number = |word: u32| (f32::from_bits(word) / side).floor() as i32;
+            let cell = (number(triangle[0]), number(triangle[1]));
+            cells.entry(cell).or_default().extend(triangle);
         }
-        for words in columns.values() {
+        for words in cells.values() {
             let start = self.words.len() / VERTEX_WORDS;
             let at = |v: &[u32]| Vec3::from_array([0, 1, 2].map(|i| f32::from_bits(v[i])));
             let corners = words.chunks_exact(VERTEX_WORDS).map(at);

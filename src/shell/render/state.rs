@@ -52,6 +52,8 @@ pub enum Texels {
     Depth,
     /// Linear light, also brighter than white.
     Light,
+    /// A colour as on the screen.
+    Screen,
     /// How much of it is covered, one byte.
     Coverage,
 }
@@ -65,8 +67,47 @@ impl Texels {
                 glow::DEPTH_COMPONENT,
                 glow::UNSIGNED_INT,
             ),
-            Texels::Light => (glow::R11F_G11F_B10F, glow::RGB, glow::FLOAT),
+            Texels::Light => (glow::RGBA16F, glow::RGBA, glow::FLOAT),
+            Texels::Screen => (glow::RGBA8, glow::RGBA, glow::UNSIGNED_BYTE),
             Texels::Coverage => (glow::R8, glow::RED, glow::UNSIGNED_BYTE),
+        }
+    }
+
+    /// Which part of a framebuffer it is.
+    pub fn attachment(self) -> u32 {
+        match self {
+            Texels::Depth => glow::DEPTH_ATTACHMENT,
+            Texels::Light | Texels::Screen | Texels::Coverage => glow::COLOR_ATTACHMENT0,
+        }
+    }
+
+    /// Which buffer colours go to; none if it has no colours.
+    pub fn buffer(self) -> u32 {
+        match self {
+            Texels::Depth => glow::NONE,
+            Texels::Light | Texels::Screen | Texels::Coverage => glow::COLOR_ATTACHMENT0,
+        }
+    }
+}
+
+/// What was asked of OpenGL.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Work {
+    /// Calls of its functions.
+    pub calls: u32,
+    /// Those that draw.
+    pub draws: u32,
+    /// Triangles that were drawn.
+    pub triangles: usize,
+}
+
+impl Work {
+    /// With more calls, and perhaps a draw of so many triangles among them.
+    pub fn with(self, calls: u32, triangles: Option<usize>) -> Work {
+        Work {
+            calls: self.calls + calls,
+            draws: self.draws + u32::from(triangles.is_some()),
+            triangles: self.triangles + triangles.unwrap_or(0),
         }
     }
 }
@@ -137,4 +178,14 @@ pub enum Stage {
     Vertex,
     /// Once per fragment.
     Fragment,
+}
+
+impl Stage {
+    /// As OpenGL names it.
+    pub fn kind(self) -> u32 {
+        match self {
+            Stage::Vertex => glow::VERTEX_SHADER,
+            Stage::Fragment => glow::FRAGMENT_SHADER,
+        }
+    }
 }

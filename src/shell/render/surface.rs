@@ -21,6 +21,16 @@ impl Surface {
         Surface::new(gl, (side, side), Texels::Depth, 0)
     }
 
+    /// A picture in linear light without depth.
+    pub fn light(gl: &Gl, size: (u32, u32)) -> Result<Surface, String> {
+        Surface::new(gl, size, Texels::Light, 0)
+    }
+
+    /// A picture as on the screen, without depth.
+    pub fn screen(gl: &Gl, size: (u32, u32)) -> Result<Surface, String> {
+        Surface::new(gl, size, Texels::Screen, 0)
+    }
+
     /// A picture in linear light with depth, of one or several samples a pixel.
     pub fn scene(gl: &Gl, size: (u32, u32), samples: u32) -> Result<Surface, String> {
         let bound = gl.bound();
@@ -106,7 +116,7 @@ impl Surface {
 fn texture(gl: &Gl, spec: Spec) -> Result<Owned, String> {
     let compare = match spec.texels {
         Texels::Depth => glow::COMPARE_REF_TO_TEXTURE,
-        Texels::Light | Texels::Coverage => glow::NONE,
+        Texels::Light | Texels::Screen | Texels::Coverage => glow::NONE,
     };
     let parameters = [
         (glow::TEXTURE_MIN_FILTER, glow::LINEAR),

@@ -4,14 +4,15 @@
 //! picture shows what the mover stands on; further back they swell into the open, which makes ledges of floors and caves
 //! of passages.
 
-use super::facets::{Facets, next};
+use super::courses::courses;
+use super::facets::{Facets, Look, next};
 use super::growth;
 use super::model::{Model, Paint, hash, paint};
 use crate::game::Stage;
 use crate::geom::Point;
-use crate::level::Material;
+use crate::level::{Feature, Material};
 use crate::mesh::{Kind, Mesh};
-use glam::{DVec2, Vec3};
+use glam::{DVec2, Vec2, Vec3};
 
 /// Depth of the fronts, and of the rim around them, in metres.
 pub const FRONT: f32 = 0.75;
@@ -32,11 +33,23 @@ const ROCK: &[(f32, f32)] = &[
 const MASONRY: &[(f32, f32)] = &[(EDGE, 0.0), (FLAT_BACK, 0.0), (-2.4, 0.0)];
 const SMALL: &[(f32, f32)] = &[(EDGE, 0.0), (-0.6, 0.0)];
 
+/// In levels of more square metres than this, blocks and planks are larger.
+const COURSED: f32 = 60_000.0;
+
+/// A facet at the rim that is so many times broader than that belongs to the front.
+const WIDE: f32 = 1.7;
+
+/// Ground of less friction than this looks slippery.
+const SLIPPERY: f64 = 0.25;
+
 /// Longest edges of facets, in metres, at the rim and within; larger where a level would need more than this many.
 const FACET: (f64, f64) = (1.25, 1.7);
 const MOST: f64 = 40_000.0;
 
-/// The colours of a material.
+/// Wet or frozen ground, on which nobody finds hold.
+const SLICK: Paint = paint(0x9ccfdc).varied(0.03);
+
+/// The colours of a look.
 struct Palette {
     /// Faces that look up: moss, dust, worn planks.
     top: Paint,
@@ -50,7 +63,7 @@ struct Palette {
     stations: &'static [(f32, f32)],
 }
 
-fn palette(material: Material) -> Palette {
+fn palette(look: Look) -> Palette {
     let colours = |[top, face, deep, side]: [u32; 4], stations| Palette {
         top: paint(top),
         face: paint(face),
@@ -58,30 +71,60 @@ fn palette(material: Material) -> Palette {
         side: paint(side),
         stations,
     };
-    match material {
-        Material::Rock => colours([0x828e70, 0x6d7686, 0x28485e, 0x6c7080], ROCK),
-        Material::Masonry => colours([0xaaa08e, 0x948c88, 0x525c6c, 0x827d82], MASONRY),
-        Material::Timber => colours([0xb28a5c, 0x86603f, 0x5c4433, 0x6e4f38], SMALL),
-        Material::Iron => colours([0xa6765a, 0x75564c, 0x4a4448, 0x5a4a48], SMALL),
+    let palette = match look.material {
+        Material::Rock => colours([0x8f9e62, 0x75788a, 0x31485f, 0x6f7286], ROCK),
+        Material::Masonry => colours([0xb3a78c, 0xa0968e, 0x5a6272, 0x8b8486], MASONRY),
+        Material::Timber => colours([0xbd9160, 0x92683f, 0x5c4433, 0x74533a], SMALL),
+        Material::Iron => colours([0xb88462, 0x7d5c50, 0x4a4448, 0x5f4d4c], SMALL),
+    };
+    let top = if look.slick { SLICK } else { palette.top };
+    let face = palette
+        .face
+        .towards(SLICK, if look.slick { 0.35 } else { 0.0 });
+    Palette {
+        top,
+        face,
+        ..palette
     }
 }
 
-/// The solid faces of a mesh of outlines with what the last solid that covers them is made of.
-pub fn solids(mesh: &Mesh, stage: &Stage) -> Vec<([Point; 3], Material)> {
-    let material = |face| {
+/// How wide the rim of a look is, in metres: built things have sharper edges.
+fn rim(look: Look) -> f64 {
+    match look.material {
+        Material::Rock => f64::from(RIM),
+        Material::Masonry => 0.15,
+        Material::Timber | Material::Iron => 0.08,
+    }
+}
+
+/// The solid faces of a mesh of outlines with the look of the last solid that covers them.
+pub fn solids(mesh: &Mesh, stage: &Stage) -> Vec<([Point; 3], Look)> {
+    let look = |face| {
         let mut covers = mesh.cover(face).iter().rev();
         let solid = covers.find(|&&id| mesh.kind_of(id) == Some(Kind::Solid));
         let feature = solid.and_then(|&id| stage.feature(id));
-        feature.map_or(Material::Rock, |feature| feature.material)
+        feature.map_or_else(Look::default, look_of)
     };
     let solid = mesh.faces().filter(|&face| mesh.is_solid(face));
-    solid
-        .map(|face| (mesh.corners(face), material(face)))
-        .collect()
+    solid.map(|face| (mesh.corners(face), look(face))).collect()
+}
+
+/// What a feature is to look like.
+fn look_of(feature: &Feature) -> Look {
+    let corners = || feature.outline.iter().map(|p| p.as_vec2());
+    let (low, high) = (
+        corners().fold(Vec2::INFINITY, Vec2::min),
+        corners().fold(Vec2::NEG_INFINITY, Vec2::max),
+    );
+    Look {
+        material: feature.material,
+        slick: feature.friction.is_some_and(|friction| friction < SLIPPERY),
+        upright: feature.material == Material::Timber && high.y - low.y > high.x - low.x,
+    }
 }
 
 /// Builds the terrain of solid triangles.
-pub fn build(solids: &[([Point; 3], Material)]) -> Model {
+pub fn build(solids: &[([Point; 3], Look)]) -> Model {
     let mut facets = Facets::new(solids);
     let (border, inner) = facet_sizes(&facets);
     let jitter = |p: DVec2| {
@@ -106,15 +149,19 @@ fn facet_sizes(facets: &Facets) -> (f64, f64) {
         .filter(|&e| facets.is_border(e))
         .map(length)
         .sum();
+    (
+        FACET.0.max(border / MOST),
+        FACET.1.max((area(facets) / MOST).sqrt()),
+    )
+}
+
+/// The area of all facets, in square metres.
+fn area(facets: &Facets) -> f64 {
     let area = |t: usize| {
         let ((a, b), c) = (facets.ends(3 * t), facets.ends(3 * t + 2).0);
         (b - a).perp_dot(c - a) / 2.0
     };
-    let area: f64 = (0..facets.material.len()).map(area).sum();
-    (
-        FACET.0.max(border / MOST),
-        FACET.1.max((area / MOST).sqrt()),
-    )
+    (0..facets.look.len()).map(area).sum()
 }
 
 /// What is known of the vertices at which free space begins, by vertex.
@@ -165,13 +212,19 @@ impl Rims {
         let starts: Vec<usize> = (0..facets.origin.len())
             .filter(|&e| facets.is_border(e))
             .collect();
-        let spots: Vec<(usize, f64)> = starts
+        let spots: Vec<(usize, f64, f64)> = starts
             .iter()
-            .map(|&e| (facets.origin[e], self.mitre(facets, e)))
+            .map(|&e| {
+                (
+                    facets.origin[e],
+                    self.mitre(facets, e),
+                    rim(facets.look[e / 3]),
+                )
+            })
             .collect();
-        for (v, mitre) in spots {
-            let inward = self.outward[v] * f64::from(-RIM) * mitre;
-            facets.insert(v, facets.points[v] + inward, f64::from(RIM) * 0.6);
+        for (v, mitre, width) in spots {
+            let inward = self.outward[v] * -width * mitre;
+            facets.insert(v, facets.points[v] + inward, width * 0.6);
         }
     }
 
@@ -183,27 +236,74 @@ impl Rims {
     }
 }
 
-/// The fronts: bent down at the rim, uneven within, darker and cooler with the distance from the open.
+/// The fronts: bent down at the rim; rock uneven within and in beds, what was built flat and in courses; darker and
+/// cooler with the distance from the open.
 fn add_front(facets: &Facets, model: &mut Model) {
     let depths = facets.depths();
-    let place = |v: usize| {
-        let (p, depth) = (facets.points[v].as_vec2(), depths[v] as f32);
-        let flat = p.extend(0.0);
-        let uneven = (hash(flat, 5) - 0.5) * 0.42 * ((depth - RIM) / 1.2).clamp(0.0, 1.0);
-        p.extend(FRONT + uneven - if depth == 0.0 { RIM } else { 0.0 })
-    };
-    for t in 0..facets.material.len() {
+    let scale = (area(facets) as f32 / COURSED).sqrt().max(1.0);
+    let at = |v: usize| facets.points[v].as_vec2();
+    for t in 0..facets.look.len() {
         let vertices = [0, 1, 2].map(|i| facets.origin[3 * t + i]);
-        let corners = vertices.map(place);
-        let colours = palette(facets.material[t]);
-        let depth = vertices.iter().map(|&v| depths[v] as f32).sum::<f32>() / 3.0;
-        let face = colours.face.towards(colours.deep, smooth(0.2, 4.5, depth));
+        let depth = vertices.map(|v| depths[v] as f32);
+        let mean = depth.iter().sum::<f32>() / 3.0;
+        let look = facets.look[t];
+        let colours = palette(look);
+        let is_rim = depth.contains(&0.0);
+        let face = colours.face.towards(colours.deep, smooth(0.2, 5.0, mean));
+        let built = look.material != Material::Rock;
+        let place = |i: usize| {
+            let p = at(vertices[i]);
+            p.extend(match (depth[i] == 0.0, built) {
+                (true, _) => FRONT - RIM,
+                (false, true) => FRONT,
+                (false, false) => FRONT + relief(p, depth[i]),
+            })
+        };
+        let corners = [0, 1, 2].map(place);
+        let is_wide = breadth(vertices.map(at)) > WIDE * rim(look) as f32;
+        if let (Some(courses), true) = (courses(look.material, scale), !is_rim || is_wide) {
+            let shade = 1.0 - 0.45 * smooth(0.0, 7.0, mean);
+            courses.add(corners, shade, look.upright, face, model);
+            continue;
+        }
         let normal = (corners[1] - corners[0])
             .cross(corners[2] - corners[0])
             .normalize_or_zero();
         let tinted = strata(face, (corners[0] + corners[1] + corners[2]) / 3.0);
-        let shade = vertices.map(|v| 1.0 - 0.55 * smooth(0.0, 5.5, depths[v] as f32));
-        model.facet(corners, shade, weathered(tinted, &colours, normal));
+        let shade = depth.map(|depth| 1.0 - 0.50 * smooth(0.0, 6.0, depth));
+        let surface = weathered(tinted, &colours, normal);
+        model.facet(
+            corners,
+            shade,
+            if is_rim {
+                worn(surface, normal)
+            } else {
+                surface
+            },
+        );
+    }
+}
+
+/// The least height of a triangle, in metres.
+fn breadth([a, b, c]: [Vec2; 3]) -> f32 {
+    let longest = a.distance(b).max(b.distance(c)).max(c.distance(a));
+    (b - a).perp_dot(c - a) / longest.max(f32::MIN_POSITIVE)
+}
+
+/// How far rock stands out at a depth from the open, in metres: beds of different hardness, and chance.
+fn relief(p: Vec2, depth: f32) -> f32 {
+    let flat = p.extend(0.0);
+    let bed = hash(Vec3::new(0.0, bed(flat), 0.0), 10) - 0.5;
+    let wave = (p.x * 0.33 + 0.7 * (p.y * 0.41).sin()).sin();
+    let uneven = 0.36 * (hash(flat, 5) - 0.5) + 0.34 * bed + 0.16 * wave;
+    uneven * ((depth - RIM) / 1.4).clamp(0.0, 1.0)
+}
+
+/// An edge is worn, and catches the light where it looks up.
+fn worn(base: Paint, normal: Vec3) -> Paint {
+    Paint {
+        colour: (base.colour * (1.05 + 0.17 * normal.y.max(0.0))).min(Vec3::ONE),
+        ..base
     }
 }
 
@@ -217,7 +317,7 @@ fn add_walls(facets: &Facets, rims: &Rims, model: &mut Model) {
     };
     for e in 0..facets.origin.len() {
         let (a, b) = (facets.origin[e], facets.origin[next(e)]);
-        let colours = palette(facets.material[e / 3]);
+        let colours = palette(facets.look[e / 3]);
         let hidden = depth_behind(facets, e);
         for (station, pair) in colours.stations.windows(2).enumerate() {
             let [front, back] = [pair[0], pair[1]];
@@ -243,12 +343,12 @@ fn depth_behind(facets: &Facets, e: usize) -> f32 {
     if facets.is_border(e) {
         return f32::INFINITY;
     }
-    let (this, other) = (facets.material[e / 3], facets.material[facets.twin[e] / 3]);
+    let (this, other) = (facets.look[e / 3], facets.look[facets.twin[e] / 3]);
     let ends = palette(other)
         .stations
         .last()
         .map_or(0.0, |station| station.0);
-    if this == other {
+    if this.material == other.material {
         f32::NEG_INFINITY
     } else {
         ends
@@ -277,12 +377,18 @@ fn add_wall_piece(corners: [Vec3; 4], shades: [f32; 4], colours: &Palette, model
 
 /// Stone lies in beds of different tone, which dip a little.
 fn strata(base: Paint, at: Vec3) -> Paint {
-    let height = at.y + at.x * 0.07 + (at.x * 0.21).sin() * 0.5;
-    let tone = hash(Vec3::new(0.0, (height / 1.9).floor(), 0.0), 9) - 0.5;
+    let tone = hash(Vec3::new(0.0, bed(at), 0.0), 9) - 0.5;
+    let warmth = Vec3::new(1.0 + 0.10 * tone, 1.0, 1.0 - 0.10 * tone);
     Paint {
-        colour: base.colour * (1.0 + 0.16 * tone),
+        colour: base.colour * (1.0 + 0.20 * tone) * warmth,
         ..base
     }
+}
+
+/// The number of the bed that a place is in.
+fn bed(at: Vec3) -> f32 {
+    let height = at.y + at.x * 0.07 + (at.x * 0.21).sin() * 0.5;
+    (height / 1.9).floor()
 }
 
 /// What looks up is overgrown or worn pale, what looks down stays dark.
@@ -306,10 +412,14 @@ mod tests {
     use super::*;
 
     /// A slab from the origin to a corner, in metres.
-    fn slab(width: i32, height: i32, material: Material) -> Vec<([Point; 3], Material)> {
+    fn slab(width: i32, height: i32, material: Material) -> Vec<([Point; 3], Look)> {
         let p = |x: i32, y: i32| Point::new(x << 16, y << 16);
         let [a, b, c, d] = [p(0, 0), p(width, 0), p(width, height), p(0, height)];
-        vec![([a, b, c], material), ([a, c, d], material)]
+        let look = Look {
+            material,
+            ..Look::default()
+        };
+        vec![([a, b, c], look), ([a, c, d], look)]
     }
 
     fn places(model: &Model) -> Vec<Vec3> {
@@ -360,9 +470,7 @@ mod tests {
     fn a_wall_is_hidden_by_the_same_stone_and_open_to_the_air() {
         let right = slab(4, 3, Material::Timber)
             .into_iter()
-            .map(|(corners, material)| {
-                (corners.map(|p| Point::new(p.x + (20 << 16), p.y)), material)
-            });
+            .map(|(corners, look)| (corners.map(|p| Point::new(p.x + (20 << 16), p.y)), look));
         let facets = Facets::new(
             &slab(20, 3, Material::Rock)
                 .into_iter()
