@@ -40,23 +40,6 @@ def wave(length, mean, swing, peak=0.0):
     return lambda key: mean + swing * cos(2 * pi * (key - peak) / length)
 
 
-def later(keys, shift, length):
-    """The keys of a loop, a shift later."""
-    return [((time + shift) % length, value) for time, value in keys]
-
-
-def both(right, length, names):
-    """Channels of both sides of a cycle from those of the right: the left half a cycle later; names that are mirrored
-    change their sign."""
-    channels = {}
-    for name, keys in right.items():
-        head, tail = name.split(".", 1)
-        channels[f"{head}.r" + ("." + tail if tail != "-" else "")] = keys
-        sign = -1 if tail in names else 1
-        channels[f"{head}.l" + ("." + tail if tail != "-" else "")] = [(t, sign * v) for t, v in later(keys, length / 2, length)]
-    return channels
-
-
 def hermite(a, b, slope_a, slope_b, s):
     """From a to b with given slopes at both ends, s in 0..1."""
     return (

@@ -1,6 +1,6 @@
 """What he wears over the armour and carries: surcoat, belts, pouches, cape, lantern, sword."""
 
-from math import cos, pi, sin
+from math import cos, sin
 
 from mathutils import Vector
 
