@@ -50,7 +50,7 @@ impl Front {
         let facts = Facts {
             has_run: store.progress.unfinished().is_some(),
             levels: levels.iter().map(|level| level.name.clone()).collect(),
-            results: None,
+            ..Facts::default()
         };
         Front {
             menu: Menu::default(),
@@ -111,6 +111,7 @@ impl App {
     pub(super) fn open_pause(&mut self) {
         if !self.front.is_open() {
             self.pause(true);
+            self.front.facts.paused_run = self.paused_run();
             self.open_menu(Screen::Pause);
         }
     }
@@ -267,6 +268,7 @@ impl App {
     /// Fills the page of text: display, problems, menus.
     pub(super) fn write_page(&mut self, view: &View, elapsed: f32, covered: f32) {
         self.text.begin(self.platform.pixels());
+        self.hud.darken(&mut self.text);
         if !self.front.is_open() {
             let over = self.feed.is_over().then_some("The replay is over");
             let held = over.or(Some("Time stands still"));

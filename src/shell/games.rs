@@ -2,6 +2,7 @@
 
 use super::app::App;
 use super::levels::Choice;
+use super::menu::view::clock;
 use super::menu::{Command, Screen};
 use super::notices::Topic;
 use super::play::Play;
@@ -44,6 +45,19 @@ impl App {
         let results = progress.finish(&level, view.run_time(), view.deaths, secrets);
         self.save_progress();
         results
+    }
+
+    /// The run as it is now, in a line.
+    pub(super) fn paused_run(&self) -> String {
+        let view = self.play.world.view();
+        let level = &self.play.world.stage().level;
+        let area = level.areas.get(view.area);
+        let place = area.map_or(&level.name, |area| &area.name);
+        let deaths = match view.deaths {
+            1 => "1 death".into(),
+            deaths => format!("{deaths} deaths"),
+        };
+        format!("{place}   ·   {}   ·   {deaths}", clock(view.run_time()))
     }
 
     /// Sees what a tick has brought: a checkpoint is told and kept.
@@ -155,6 +169,7 @@ impl App {
         self.play = Play::new(world, &self.tuning);
         self.feed = Feed::Player;
         self.hud.begin();
+        self.hud.draw_curtain();
         self.enter_stage();
     }
 }

@@ -13,6 +13,8 @@ const NAME: [f32; 3] = [0.9, 3.6, 5.0];
 /// The same of the first prompts, of a checkpoint, of a secret.
 const PROMPTS: [f32; 3] = [1.4, 9.0, 10.5];
 const WORD: [f32; 3] = [0.25, 2.2, 3.2];
+/// Seconds in which the picture comes out of the dark after another world was entered.
+const CURTAIN: f32 = 0.8;
 /// Size of the picture's height that lengths are meant for.
 const DESIGN: f32 = 720.0;
 /// Heights of lines as shares of the picture's height.
@@ -39,6 +41,8 @@ pub struct Hud {
     word: Option<(Word, f32)>,
     secrets: u32,
     began_at: f64,
+    /// How dark the picture still is, 0 to 1.
+    curtain: f32,
 }
 
 /// What the display is drawn from.
@@ -64,7 +68,24 @@ pub struct Scene<'a> {
 impl Hud {
     /// Begins anew, with the name of the place.
     pub fn begin(&mut self) {
-        *self = Hud::default();
+        *self = Hud {
+            curtain: self.curtain,
+            ..Hud::default()
+        };
+    }
+
+    /// Another world is entered: its picture comes out of the dark.
+    pub fn draw_curtain(&mut self) {
+        self.curtain = 1.0;
+    }
+
+    /// The dark that is left of a curtain, over the whole picture.
+    pub fn darken(&self, text: &mut Text) {
+        let [width, height] = text.size();
+        if self.curtain > 0.0 {
+            let ink = with_alpha(INK, self.curtain * self.curtain);
+            text.rect([0.0, 0.0, width, height], ink);
+        }
     }
 
     /// A checkpoint was reached.
@@ -85,6 +106,7 @@ impl Hud {
             self.word = Some((Word::Secret, 0.0));
         }
         self.secrets = view.secrets;
+        self.curtain = (self.curtain - seconds / CURTAIN).max(0.0);
         self.named += seconds;
         self.begun += seconds;
         if let Some((_, age)) = &mut self.word {

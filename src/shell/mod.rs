@@ -7,7 +7,8 @@
 //! times), [`settings`] (what
 //! is set and what has been reached, and their files), [`menu`] (title, pause, settings as values, and their look),
 //! [`front`] (the menus in the running game), `games` (runs begun and finished), `liking` (settings made to hold),
-//! [`audio`] and `sounds` (what is heard), [`hud`] (what is told beside the world), [`text`] (letters), [`overlay`]
+//! [`audio`] and `sounds` (what is heard), [`hud`] (what is told beside the world), `contrast` (bright outlines by wish),
+//! [`text`] (letters), [`overlay`]
 //! (panels and drawings for developers), [`render`] (the world's picture).
 
 pub mod app;
@@ -15,6 +16,7 @@ pub mod audio;
 mod bench;
 pub mod capture;
 pub mod clock;
+mod contrast;
 pub mod edits;
 pub mod front;
 mod games;

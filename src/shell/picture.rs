@@ -2,6 +2,7 @@
 
 use super::ShellError;
 use super::app::App;
+use super::contrast;
 use super::edits::Edit;
 use super::menu::prompts::Device;
 use super::overlay::Info;
@@ -32,13 +33,17 @@ impl App {
             true => drifting(beside(pose, TITLE_ASIDE, pixels), self.front.clock),
             false => beside(pose, covered, pixels),
         };
-        let drawing = if self.overlay.open || self.overlay.show.mesh {
+        let mut drawing = if self.overlay.open || self.overlay.show.mesh {
             let show = self.overlay.show;
             let picture = self.mesh_picture();
             Drawing::new(show, &self.play, picture, &offsets, &view, &pose).scaled_to(pixels.1)
         } else {
             Drawing::default()
         };
+        if self.front.live.accessibility.contrast && !self.front.is_title() {
+            let level = &self.play.world.stage().level;
+            contrast::outline(level, &view, pixels.1, &mut drawing.lines);
+        }
         // The view's own time: what moves in the world stands still with it.
         let hero = self.play.shown(share);
         let contrast = self.front.live.accessibility.contrast;

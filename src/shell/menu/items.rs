@@ -246,7 +246,7 @@ impl Item {
             Item::Vsync => "Vertical sync",
             Item::Preset => "Picture",
             Item::FrameCap => "Frame limit",
-            Item::Master => "Everything",
+            Item::Master => "Overall",
             Item::Effects => "Effects",
             Item::Music => "Music",
             Item::Bind(deed) => deed.label(),
@@ -257,7 +257,7 @@ impl Item {
             Item::Flashes => "Flashes",
             Item::Speed => "Game speed",
             Item::Contrast => "High contrast",
-            Item::Crouch => "Crouch",
+            Item::Crouch => "Crouching",
             Item::Yes => "Yes",
             Item::Back => "Back",
         }
@@ -271,7 +271,7 @@ impl Item {
             Item::Vsync => "Frames wait for the display: no tearing.",
             Item::FrameCap => "Fewer frames a second keep the machine cool and quiet.",
             Item::Preset => "Low runs without a graphics card. High wants a good one.",
-            Item::Master => "Everything that is heard.",
+            Item::Master => "All sound and music together.",
             Item::Effects => "Steps, wind, water, machines.",
             Item::Music => "The music that follows the place.",
             Item::Bind(_) => "Choose, then press a key or a button. What is bound twice is marked.",
@@ -284,7 +284,7 @@ impl Item {
             Item::Shake => "How much hard landings and machines may shake the camera.",
             Item::Flashes => "Without them, sudden light fades in gently.",
             Item::Speed => "Everything moves more slowly, and nothing else changes.",
-            Item::Contrast => "The hero and everything dangerous stand out from the ground.",
+            Item::Contrast => "Bright outlines around the hero and everything deadly.",
             _ => "",
         }
     }

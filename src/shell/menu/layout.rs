@@ -39,7 +39,7 @@ impl Measures {
         };
         match screen {
             Screen::Title => list([88.0, 252.0], [330.0, 47.0]),
-            Screen::Pause => list([58.0, 190.0], [272.0, 47.0]),
+            Screen::Pause => list([58.0, 182.0], [284.0, 47.0]),
             Screen::Results => list([58.0, 170.0], [456.0, 47.0]),
             Screen::Confirm(_) => list([52.0, 190.0], [288.0, 47.0]),
             Screen::Settings | Screen::Levels => list([52.0, 142.0], [202.0, 47.0]),

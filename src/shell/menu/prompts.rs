@@ -67,10 +67,10 @@ pub enum Cap {
 /// A key, by its name on the layout in use.
 pub fn key(code: Scancode) -> Cap {
     match code {
-        Scancode::Left => Cap::Arrow(Symbol::Left),
-        Scancode::Right => Cap::Arrow(Symbol::Right),
-        Scancode::Up => Cap::Arrow(Symbol::Up),
-        Scancode::Down => Cap::Arrow(Symbol::Down),
+        Scancode::Left => Cap::Arrow(Symbol::ToLeft),
+        Scancode::Right => Cap::Arrow(Symbol::ToRight),
+        Scancode::Up => Cap::Arrow(Symbol::ToTop),
+        Scancode::Down => Cap::Arrow(Symbol::ToBottom),
         _ => Cap::Key(key_name(code)),
     }
 }
@@ -109,10 +109,10 @@ pub fn button(button: Button, make: Make) -> Cap {
         (Button::B, _) => Cap::Letter("B"),
         (Button::X, _) => Cap::Letter("X"),
         (Button::Y, _) => Cap::Letter("Y"),
-        (Button::DPadLeft, _) => Cap::Arrow(Symbol::Left),
-        (Button::DPadRight, _) => Cap::Arrow(Symbol::Right),
-        (Button::DPadUp, _) => Cap::Arrow(Symbol::Up),
-        (Button::DPadDown, _) => Cap::Arrow(Symbol::Down),
+        (Button::DPadLeft, _) => Cap::Arrow(Symbol::ToLeft),
+        (Button::DPadRight, _) => Cap::Arrow(Symbol::ToRight),
+        (Button::DPadUp, _) => Cap::Arrow(Symbol::ToTop),
+        (Button::DPadDown, _) => Cap::Arrow(Symbol::ToBottom),
         (Button::Back, _) => Cap::Plate(pick("View", "Share", "−")),
         (Button::Start, _) => Cap::Plate(pick("Menu", "Options", "+")),
         (Button::LeftShoulder, _) => Cap::Plate(pick("LB", "L1", "L")),

@@ -10,6 +10,7 @@ fn facts(has_run: bool, levels: &[&str]) -> Facts {
         has_run,
         levels: levels.iter().map(|name| (*name).to_owned()).collect(),
         results: Some(Results::default()),
+        ..Facts::default()
     }
 }
 

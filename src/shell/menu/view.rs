@@ -177,7 +177,9 @@ impl Page<'_> {
         let end = self.text.write(style, left - px * 0.04, baseline, &line);
         let length = if is_title { end - left } else { 300.0 * unit };
         self.rule(baseline + 26.0 * unit, length);
-        if let Some(preface) = self.screen.preface() {
+        let run =
+            Some(self.scene.facts.paused_run.as_str()).filter(|_| self.screen == Screen::Pause);
+        if let Some(preface) = self.screen.preface().or(run) {
             let style = self.style(22.0 * unit);
             self.text
                 .write(style, left, baseline + 66.0 * unit, preface);

@@ -32,8 +32,14 @@ pub enum Symbol {
     Up,
     /// An arrow head downwards.
     Down,
-    /// A tick.
-    Tick,
+    /// An arrow to the left.
+    ToLeft,
+    /// An arrow to the right.
+    ToRight,
+    /// An arrow upwards.
+    ToTop,
+    /// An arrow downwards.
+    ToBottom,
     /// A light that fades towards its rim.
     Glow,
     /// What stands for a character that no font has.
@@ -80,11 +86,10 @@ impl Symbol {
             Symbol::Right => chevron(Vec2::new(-p.x, p.y)),
             Symbol::Up => chevron(Vec2::new(p.y, p.x)),
             Symbol::Down => chevron(Vec2::new(-p.y, p.x)),
-            Symbol::Tick => stroke(p, Vec2::new(-0.55, 0.05), Vec2::new(-0.15, 0.45)).min(stroke(
-                p,
-                Vec2::new(-0.15, 0.45),
-                Vec2::new(0.6, -0.45),
-            )),
+            Symbol::ToLeft => arrow(p),
+            Symbol::ToRight => arrow(Vec2::new(-p.x, p.y)),
+            Symbol::ToTop => arrow(Vec2::new(p.y, p.x)),
+            Symbol::ToBottom => arrow(Vec2::new(-p.y, p.x)),
             Symbol::Missing => ring(boxed(p, Vec2::new(0.5, 0.75))),
             Symbol::Glow => p.length() - 1.0,
         }
@@ -121,6 +126,14 @@ fn triangle(p: Vec2) -> f32 {
 fn chevron(p: Vec2) -> f32 {
     let tip = Vec2::new(-0.3, 0.0);
     stroke(p, tip, Vec2::new(0.3, -0.6)).min(stroke(p, tip, Vec2::new(0.3, 0.6)))
+}
+
+/// A head with a shaft, to the left.
+fn arrow(p: Vec2) -> f32 {
+    let tip = Vec2::new(-0.7, 0.0);
+    stroke(p, tip, Vec2::new(0.7, 0.0))
+        .min(stroke(p, tip, Vec2::new(-0.15, -0.5)))
+        .min(stroke(p, tip, Vec2::new(-0.15, 0.5)))
 }
 
 #[cfg(test)]

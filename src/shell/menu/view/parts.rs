@@ -13,6 +13,9 @@ use caps::with_alpha;
 /// Speed of the credits, and the step by hand, in the design's pixels.
 const ROLL: f32 = 26.0;
 const PUSH: f32 = 46.0;
+/// Where they begin below the heading, in the design's pixels, and where they come to rest, as a share of their room.
+const START: f32 = 150.0;
+const REST: f32 = 0.7;
 
 impl Page<'_> {
     /// What stands over the table's columns.
@@ -40,13 +43,13 @@ impl Page<'_> {
         let menu = self.scene.menu;
         let top = measures.heading[1] + 60.0 * unit;
         let bottom = rows.first().map_or(top, |row| row.rect[1]) - 20.0 * unit;
-        let mut y = top + 150.0 * unit - (menu.age * ROLL + menu.pushed * PUSH).max(0.0) * unit;
+        // They come to rest with the last lines in sight.
+        let whole: f32 = credits::LINES.iter().map(|line| size(line).1).sum();
+        let rest = START + whole - (bottom - top) / unit * REST;
+        let rolled = (menu.age * ROLL + menu.pushed * PUSH).clamp(0.0, rest.max(0.0));
+        let mut y = top + (START - rolled) * unit;
         for line in credits::LINES {
-            let (px, step) = match line {
-                credits::Line::Part(_) => (30.0, 44.0),
-                credits::Line::Name(_) => (21.0, 32.0),
-                credits::Line::Gap => (0.0, 34.0),
-            };
+            let (px, step) = size(line);
             y += step * unit;
             let fade = 40.0 * unit;
             let shown = ((y - top) / fade).min((bottom - y) / fade).clamp(0.0, 1.0);
@@ -188,8 +191,8 @@ impl Page<'_> {
         if let Value::Scale(..) | Value::Choice(_) | Value::Switch(_) =
             values::value(item, self.scene.settings)
         {
-            hints.push((Cap::Arrow(Symbol::Left), "Less"));
-            hints.push((Cap::Arrow(Symbol::Right), "More"));
+            hints.push((Cap::Arrow(Symbol::ToLeft), "Less"));
+            hints.push((Cap::Arrow(Symbol::ToRight), "More"));
         }
         if let Item::Bind(_) = item {
             hints.push((prompts::clear(device), "Remove"));
@@ -198,5 +201,14 @@ impl Page<'_> {
             hints.push((prompts::back(device), "Back"));
         }
         hints
+    }
+}
+
+/// Size of a line of the credits, and from line to line, in the design's pixels.
+fn size(line: &credits::Line) -> (f32, f32) {
+    match line {
+        credits::Line::Part(_) => (30.0, 44.0),
+        credits::Line::Name(_) => (21.0, 32.0),
+        credits::Line::Gap => (0.0, 34.0),
     }
 }

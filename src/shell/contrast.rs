@@ -1,0 +1,75 @@
+//! High contrast: the hero and everything deadly in bright outlines over the scene, for those to whom shades say too little.
+
+use super::render::Line;
+use crate::game::{Shape, View};
+use crate::geom::Collider;
+use crate::level::{Kind, Level};
+use glam::{DVec2, Vec3};
+
+/// Colours of the hero and of what kills.
+const HERO: [f32; 4] = [0.45, 1.0, 1.0, 1.0];
+const DANGER: [f32; 4] = [1.0, 0.16, 0.12, 1.0];
+/// Width of the outlines, as a share of the picture's height.
+const WIDTH: f32 = 0.005;
+/// Before the plane of play, so that no front covers them, in metres.
+const BEFORE: f32 = 0.2;
+
+/// Adds the outlines of a moment to the lines of a picture of this height in pixels.
+pub fn outline(level: &Level, view: &View, height: u32, lines: &mut Vec<Line>) {
+    let width = height as f32 * WIDTH;
+    for feature in level.features.iter().filter(|f| f.kind == Kind::Hazard) {
+        ring(&feature.outline, DVec2::ZERO, DANGER, width, lines);
+    }
+    let Shape { stand, crouch } = Shape::hero();
+    let body = corners(if view.crouched { &crouch } else { &stand });
+    ring(&body, view.position, HERO, width, lines);
+}
+
+/// The corners of a body, in metres from its foot.
+fn corners(body: &Collider) -> Vec<DVec2> {
+    body.corners()
+        .iter()
+        .map(|corner| corner.metres())
+        .collect()
+}
+
+/// A closed line through some corners.
+fn ring(corners: &[DVec2], offset: DVec2, colour: [f32; 4], width: f32, lines: &mut Vec<Line>) {
+    let at = |corner: &DVec2| -> Vec3 { (*corner + offset).as_vec2().extend(BEFORE) };
+    let next = corners.iter().cycle().skip(1);
+    lines.extend(corners.iter().zip(next).map(|(a, b)| Line {
+        a: at(a),
+        b: at(b),
+        colour,
+        width,
+    }));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::level;
+    use std::path::Path;
+
+    #[test]
+    fn the_hero_and_what_kills_are_outlined_where_they_are() {
+        let text =
+            "(version: 1, name: \"n\", start: (0, 0), goal: (min: (8, 0), max: (9, 3)), bottom: -9,
+            features: [
+                (id: \"floor\", outline: [(-9, -3), (9, -3), (9, 0), (-9, 0)]),
+                (id: \"spikes\", kind: Hazard, outline: [(3, 0), (4, 0), (3.5, 1)]),
+            ])";
+        let level = level::parse(text, Path::new("test")).unwrap();
+        let view = View::at(DVec2::new(-5.0, 0.0));
+        let mut lines = Vec::new();
+        outline(&level, &view, 720, &mut lines);
+        let hero = Shape::hero().stand.corners().len();
+        assert_eq!(lines.len(), 3 + hero);
+        assert_eq!(lines[0].a, Vec3::new(3.0, 0.0, BEFORE));
+        assert!(
+            lines[3..]
+                .iter()
+                .all(|line| line.colour == HERO && line.a.x < -4.0)
+        );
+    }
+}
