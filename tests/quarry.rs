@@ -4,11 +4,11 @@
 #[path = "common/player.rs"]
 mod player;
 
-use edgewalker::game::{Input, Stage};
+use edgewalker::game::{Input, Stage, World};
 use edgewalker::level::Level;
 use edgewalker::tune::Tuning;
 use glam::DVec2;
-use player::{Act, Jump, Player, Run, Walk, quarry, way};
+use player::{Act, Drop, Duck, Fall, Jump, Player, Run, Walk, quarry, way};
 use std::sync::Arc;
 
 /// Its name, where one lands in it, the way out, where that leads.
@@ -68,6 +68,86 @@ const POCKETS: &[Pocket] = &[
     ),
 ];
 
+/// The secrets: where one stands before them, the way through them and out again, and where that leads.
+const SECRETS: &[Pocket] = &[
+    (
+        "under the brow",
+        (-4.8, 8.2),
+        &[
+            Jump(-6.9),
+            Jump(-7.4),
+            Jump(-9.8),
+            Walk(-11.0),
+            Run(-9.0),
+            Fall(-5.0),
+        ],
+        (-5.0, 8.0),
+    ),
+    (
+        "crack in the lip",
+        (73.2, -6.8),
+        &[
+            Jump(74.6),
+            Walk(74.9),
+            Jump(71.0),
+            Walk(70.8),
+            Run(72.2),
+            Fall(73.4),
+        ],
+        (73.4, -6.9),
+    ),
+    (
+        "brow of the lip",
+        (75.2, 22.2),
+        &[
+            Jump(72.2),
+            Jump(70.0),
+            Run(67.6),
+            Fall(65.4),
+            Run(63.4),
+            Fall(61.2),
+            Run(58.8),
+            Fall(58.2),
+        ],
+        (58.2, -5.2),
+    ),
+    (
+        "alcove of the well",
+        (113.4, -12.5),
+        &[Jump(110.8), Run(110.6), Run(112.4), Fall(113.0)],
+        (113.0, -12.7),
+    ),
+    (
+        "culvert",
+        (163.0, -16.7),
+        &[
+            Walk(160.5),
+            Walk(163.4),
+            Run(164.3),
+            Fall(161.6),
+            Run(162.0),
+            Walk(164.4),
+            Jump(163.2),
+        ],
+        (164.2, -16.9),
+    ),
+    (
+        "heart of the press",
+        (137.7, -3.3),
+        &[Duck(133.2), Drop(132.7), Duck(127.4)],
+        (127.3, -8.4),
+    ),
+    (
+        "on the buttress",
+        (281.2, 38.5),
+        &[Jump(286.2), Run(290.4), Run(293.0), Fall(295.6)],
+        (295.6, 19.4),
+    ),
+];
+
+/// A rate that divides all that are played at.
+const SLOWEST: u32 = 30;
+
 /// Seconds from start to goal.
 fn finish(tuning: Tuning, tick_rate: u32) -> f64 {
     let stage = Arc::new(Stage::build(quarry()).unwrap());
@@ -118,29 +198,81 @@ fn no_jump_needs_more_than_85_percent_of_the_height() {
     finish(tuning, 120);
 }
 
+/// Goes a way from a place; the player where it ends.
+fn go((name, start, way, end): &Pocket) -> Player {
+    let level = Level {
+        start: DVec2::from(*start),
+        ..quarry()
+    };
+    let stage = Stage::build(level).unwrap_or_else(|error| panic!("{name}: {error}"));
+    let mut player = Player::new(Arc::new(stage), Tuning::default(), 120);
+    for _ in 0..60 {
+        player.world.step(Input::default(), &player.tuning);
+    }
+    for act in *way {
+        let done = player.act(act);
+        done.unwrap_or_else(|error| panic!("{name}: {error}"));
+    }
+    let at = player.world.view().position;
+    let missed = (at - DVec2::from(*end)).abs().max_element();
+    assert!(missed < 1.0, "{name}: ended at {at}");
+    player
+}
+
 #[test]
 fn every_pocket_beside_the_way_can_be_left() {
-    for &(name, (x, y), way, (to_x, to_y)) in POCKETS {
-        let stage = Arc::new(
-            Stage::build(Level {
-                start: DVec2::new(x, y),
-                ..quarry()
-            })
-            .unwrap_or_else(|error| panic!("{name}: {error}")),
-        );
-        let mut player = Player::new(stage, Tuning::default(), 120);
-        for _ in 0..120 {
-            player.world.step(Input::default(), &player.tuning);
+    for pocket in POCKETS {
+        go(pocket);
+    }
+}
+
+#[test]
+fn every_secret_can_be_found_and_left_again() {
+    let stage = Stage::build(quarry()).unwrap();
+    assert_eq!(SECRETS.len(), stage.secret_count());
+    for secret in SECRETS {
+        let found = go(secret).world.view().secrets;
+        assert_eq!(found, 1, "{}", secret.0);
+    }
+}
+
+#[test]
+fn the_way_itself_passes_no_secret_and_no_death() {
+    let mut player = Player::new(
+        Arc::new(Stage::build(quarry()).unwrap()),
+        Tuning::default(),
+        120,
+    );
+    let mut areas = vec![0];
+    for act in way() {
+        player.act(&act).unwrap();
+        areas.push(player.world.view().area);
+    }
+    let view = player.world.view();
+    assert_eq!((view.deaths, view.secrets), (0, 0));
+    areas.dedup();
+    assert_eq!(areas, [0, 1, 2]);
+}
+
+/// The inputs of a player who decides thirty times a second, given to worlds with more ticks: the run is the same to the bit.
+#[test]
+fn the_run_is_the_same_at_every_tick_rate() {
+    let stage = Arc::new(Stage::build(quarry()).unwrap());
+    let mut player = Player::new(Arc::clone(&stage), Tuning::default(), SLOWEST);
+    for act in way() {
+        player.act(&act).unwrap();
+    }
+    let expected = player.world.view();
+    for rate in [60, 120, 240, 990] {
+        let mut world = World::new(Arc::clone(&stage), rate, 0);
+        for input in &player.inputs {
+            for _ in 0..rate / SLOWEST {
+                world.step(*input, &player.tuning);
+            }
         }
-        for act in way {
-            player
-                .act(act)
-                .unwrap_or_else(|error| panic!("{name}: {error}"));
-        }
-        let end = player.world.view().position;
-        assert!(
-            (end - DVec2::new(to_x, to_y)).abs().max_element() < 1.0,
-            "{name}: ended at {end}"
-        );
+        let view = world.view();
+        assert_eq!(view.won_at, expected.won_at, "{rate} Hz");
+        assert_eq!(view.position, expected.position, "{rate} Hz");
+        assert_eq!(world.hero().hash(), player.world.hero().hash(), "{rate} Hz");
     }
 }
