@@ -25,6 +25,8 @@ const GROUNDING: (f32, f32) = (35.0, 14.0);
 /// How fast a walk becomes a run, and how fast a change of slope is taken, 1/s.
 const PACING: f32 = 30.0;
 const SLOPING: f32 = 22.0;
+/// The fastest that hands follow each other up a wall, as a speed, m/s.
+const CLIMBS: f64 = 5.0;
 /// How fast the lean follows, 1/s; the most of it, in radians, and the acceleration for that, m/s^2.
 const LEANING: f32 = 12.0;
 const LEAN: (f32, f32) = (0.20, 90.0);
@@ -213,8 +215,11 @@ impl Figure {
     fn play(&mut self, moves: &Moves, rig: &Rig) {
         let span = moves.time - self.moves.time;
         let mean = (self.moves.own_velocity() + moves.own_velocity()) * 0.5;
-        let way = mean.x * span;
-        let forward = way * f64::from(moves.side());
+        let forward = match self.state.kind {
+            // Who comes to a wall with the speed of a jump holds on rather than grasping a dozen times a second.
+            Kind::ClimbWall | Kind::Ladder => mean.y.clamp(-CLIMBS, CLIMBS) * span,
+            _ => mean.x * span * f64::from(moves.side()),
+        };
         self.pace.run += (run_share(moves) - self.pace.run) * share(PACING, span as f32);
         self.pace.fall += (fall_share(moves) - self.pace.fall) * share(PACING, span as f32);
         self.pace.rounds += forward / f64::from(stride(self.state.kind, self.pace, rig));

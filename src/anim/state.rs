@@ -182,7 +182,6 @@ impl State {
         let Pace { rounds, run, fall } = pace;
         let age = (moves.time - self.since).max(0.0);
         let idling = |act: Act| rig.cycle(act, age / f64::from(rig.clip(act).seconds.max(1e-3)));
-        let climbed = |stride: Stride| moves.foot.y / f64::from(rig.stride(stride));
         match self.kind {
             // The breath does not begin anew whenever he stops.
             Kind::Idle => rig.cycle(
@@ -208,8 +207,8 @@ impl State {
             Kind::WallSlide => idling(Act::WallSlide),
             Kind::Hang => idling(Act::LedgeHang),
             Kind::ClimbOver => rig.sample(Act::LedgeClimb, self.climbed_over(moves, rig)),
-            Kind::ClimbWall => rig.cycle(Act::ClimbWall, climbed(Stride::ClimbWall)),
-            Kind::Ladder => rig.cycle(Act::Ladder, climbed(Stride::Ladder)),
+            Kind::ClimbWall => rig.cycle(Act::ClimbWall, rounds),
+            Kind::Ladder => rig.cycle(Act::Ladder, rounds),
             Kind::GetUp => {
                 let left = f64::from(rig.clip(Act::Death).seconds) * GETS_UP.1 - age * GETS_UP.0;
                 rig.sample(Act::Death, left.max(0.0))
@@ -274,11 +273,13 @@ pub fn fall_share(moves: &Moves) -> f32 {
     smooth((APEX.0 - moves.velocity.y as f32) / (APEX.0 - APEX.1))
 }
 
-/// Metres of ground for a cycle of steps.
+/// Metres of ground, or of height, for a cycle of steps.
 pub fn stride(kind: Kind, pace: Pace, rig: &Rig) -> f32 {
     let (walk, run) = (rig.stride(Stride::Walk), rig.stride(Stride::Run));
     match kind {
         Kind::Crawl => rig.stride(Stride::Crawl),
+        Kind::ClimbWall => rig.stride(Stride::ClimbWall),
+        Kind::Ladder => rig.stride(Stride::Ladder),
         _ => walk + (run - walk) * pace.run,
     }
 }
