@@ -224,6 +224,8 @@ impl Body {
     pub(super) fn follow(&mut self, terrain: &Terrain) {
         let (now, size, motion) = (self.time, self.size, self.motion());
         let grain = self.frame_piece().rounding(now) + ROUNDING * self.local_velocity().length();
+        // At rest there is none, and yet a difference of two: accelerations are rounded too.
+        let grain = grain.max(f64::MIN_POSITIVE);
         for beside in &mut self.beside {
             beside.climb(self.climbing, size, terrain);
             beside.follow(motion, grain, now, size, terrain);

@@ -287,14 +287,12 @@ impl Body {
             Mode::Surface(on) => self.clear_along(on, terrain),
             Mode::Air(air) => clear_in_flight(air, self.time, until, terrain.ground(Size::Stand))
                 .map(|at| {
-                    (
-                        if at > self.time {
-                            at
-                        } else {
-                            air.a_step_on(self.time)
-                        },
-                        None,
-                    )
+                    // Where only rounding tells that place from here, what is here in the way is there in the way too.
+                    let way = air.way(self.time - air.t0, at - air.t0);
+                    match at > self.time && way > self.rounding() {
+                        true => (at, None),
+                        false => (air.a_step_on(self.time), None),
+                    }
                 }),
             Mode::Wedge(_) | Mode::Crushed(_) => None,
         };

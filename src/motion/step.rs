@@ -14,6 +14,9 @@ use glam::DVec2;
 /// So many events at one and the same time can only be a cycle. Far above the degree of any vertex of a sound level.
 const CYCLE: u32 = 4096;
 
+/// How much later, as a share of the time, rounding may make an event that comes at once.
+const CREEP: f64 = 8.0 * f64::EPSILON;
+
 impl Body {
     /// A body at rest in the air, its foot at `at` (m), at a time (s).
     ///
@@ -102,22 +105,25 @@ impl Body {
 
     /// Moves up to a time, event by event. Nothing happens if it is not later than now.
     pub fn advance(&mut self, to: f64, terrain: &Terrain, trace: &mut Trace) {
-        let (mut still, mut held) = (0, None);
+        let (mut still, mut held) = (0, false);
         trace.meetings.clear();
         while let Some((at, what)) = self.next.filter(|&(at, _)| at <= to) {
-            still = if at > self.time { 0 } else { still + 1 };
-            if still == 0 {
+            if at > self.time {
                 trace.meetings.clear();
             }
+            // Times that rounding may have told apart are one here: a cycle may creep.
+            let stands = at - self.time <= CREEP * self.time.abs();
+            still = if stands { still + 1 } else { 0 };
+            held &= stands;
             self.time = at.max(self.time);
             if still > CYCLE {
                 // Where rest does not end it either, between solids that move, the body is crushed.
-                match held == Some(self.time) {
+                match held {
                     true => self.crush(terrain, trace),
                     false => self.hold(terrain, trace),
                 }
                 self.refresh(terrain, trace);
-                (still, held) = (0, Some(self.time));
+                (still, held) = (0, true);
                 continue;
             }
             self.handle(what, terrain, trace);

@@ -8,9 +8,17 @@ use edgewalker::motion::{Body, Event, EventKind, Mode, Terrain, Trace};
 use edgewalker::tune::Motion;
 use glam::DVec2;
 
+/// So many events in a tick count as endless: those that creep on by a unit in the last place of the time would take hours.
+const ENDLESS: u32 = 1_000_000;
+
 /// A tick, event by event: I4, I6.
 pub fn tick(body: &mut Body, to: f64, terrain: &Terrain, trace: &mut Trace) -> Result<(), String> {
+    let mut events_left = ENDLESS;
     while let Some(at) = body.next_at().filter(|&at| at <= to) {
+        events_left -= 1;
+        if events_left == 0 {
+            return Err(format!("I5: endless events, at {at}"));
+        }
         let before = body.clone();
         let (events, touched) = (trace.events.len(), trace.touched);
         body.advance(at, terrain, trace);
