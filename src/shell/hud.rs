@@ -22,6 +22,8 @@ const NAME_AT: f32 = 0.235;
 const WORD_AT: f32 = 0.135;
 const NOTICE_AT: f32 = 0.075;
 const PROMPTS_AT: f32 = 0.935;
+/// How dark the picture is made behind large and small words, so that they read before a bright sky and a lit gate.
+const SHADE: [f32; 2] = [0.72, 0.6];
 /// Widest problem that is told in one line, as a share of the picture's width.
 const PROBLEM_WIDTH: f32 = 0.46;
 
@@ -218,6 +220,8 @@ impl<'a> Pen<'a> {
             shadow: 1.0,
         };
         let y = self.height * NAME_AT;
+        let (wide, high) = (self.text.width(style, name) + 420.0 * unit, 250.0 * unit);
+        self.shade(y + 16.0 * unit, [wide, high], SHADE[0] * opacity);
         self.text.centred(style, self.middle, y, name);
         let [line, thick] = [y + 24.0 * unit, (1.3 * unit).max(1.0).round()].map(f32::round);
         let reach = self.text.width(style, name) / 2.0 + 40.0 * unit;
@@ -238,6 +242,12 @@ impl<'a> Pen<'a> {
         }
     }
 
+    /// A soft dark spot behind words.
+    fn shade(&mut self, y: f32, size: [f32; 2], opacity: f32) {
+        let colour = with_alpha(INK, opacity);
+        self.text.glow([self.middle, y], size, colour);
+    }
+
     /// A word with a light beside it.
     fn word(&mut self, word: &str, opacity: f32) {
         if opacity <= 0.0 {
@@ -246,7 +256,10 @@ impl<'a> Pen<'a> {
         let unit = self.unit;
         let style = body(23.0 * unit).in_colour(with_alpha(WARM, opacity));
         let y = self.height * WORD_AT;
-        let start = self.middle - self.text.width(style, word) / 2.0;
+        let width = self.text.width(style, word);
+        let start = self.middle - width / 2.0;
+        let room = [width + 240.0 * unit, 110.0 * unit];
+        self.shade(y - 8.0 * unit, room, SHADE[1] * opacity);
         let at = [start - 20.0 * unit, y - self.text.cap_height(style) / 2.0];
         self.text
             .glow(at, [90.0 * unit; 2], with_alpha(WARM, 0.45 * opacity));
