@@ -97,6 +97,11 @@ fn rim(look: Look) -> f64 {
     }
 }
 
+/// Depth of the front of what was built: its edges are bevelled evenly, so that thin beams stay flat.
+fn built_front(look: Look) -> f32 {
+    EDGE + rim(look) as f32
+}
+
 /// The solid faces of a mesh of outlines with the look of the last solid that covers them.
 pub fn solids(mesh: &Mesh, stage: &Stage) -> Vec<([Point; 3], Look)> {
     let look = |face| {
@@ -255,7 +260,7 @@ fn add_front(facets: &Facets, model: &mut Model) {
             let p = at(vertices[i]);
             p.extend(match (depth[i] == 0.0, built) {
                 (true, _) => FRONT - RIM,
-                (false, true) => FRONT,
+                (false, true) => built_front(look),
                 (false, false) => FRONT + relief(p, depth[i]),
             })
         };
