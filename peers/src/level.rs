@@ -37,8 +37,8 @@ pub struct Moment {
 impl Quarry {
     pub fn load() -> Quarry {
         let root = concat!(env!("CARGO_MANIFEST_DIR"), "/../");
-        let level =
-            level::load(format!("{root}levels/dev/crossing.ron").as_ref()).expect("a level of ours");
+        let level = level::load(format!("{root}levels/dev/crossing.ron").as_ref())
+            .expect("a level of ours");
         let text = std::fs::read_to_string(format!("{root}tests/golden/crossing.replay.ron"));
         let replay = Replay::parse(&text.expect("the recorded run")).expect("the recorded run");
         let counter_clockwise = |outline: &Vec<DVec2>| {
