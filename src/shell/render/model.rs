@@ -255,6 +255,11 @@ impl Model {
     }
 }
 
+/// The unit normal of the facet or the vertex with these words.
+pub fn normal(words: &[u32]) -> Vec3 {
+    unpack_signed(words[NORMAL])
+}
+
 /// A regular polygon about a point, counter-clockwise seen from above.
 pub fn ring(centre: Vec3, sides: usize, radius: f32) -> Vec<Vec3> {
     let corner = |i: usize| {

@@ -39,7 +39,7 @@ impl Quality {
     pub fn of(preset: Preset) -> Quality {
         match preset {
             Preset::Low => Quality {
-                scale: 0.7,
+                scale: 0.5,
                 shadow_side: None,
                 samples: 0,
                 finish: Finish::Enlarged,

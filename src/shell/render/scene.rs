@@ -2,7 +2,7 @@
 
 use super::frame::PointLight;
 use super::kit::Kit;
-use super::model::{Model, VERTEX_WORDS};
+use super::model::{Model, VERTEX_WORDS, normal};
 use super::shards::Shards;
 use super::{backdrop, bake, fixtures, guides, scenery, terrain, water};
 use crate::game::Stage;
@@ -13,10 +13,13 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 
 /// Metres along the sides of a chunk, of the level and of the distance.
-const NEAR_CHUNK: f32 = 10.0;
-const FAR_CHUNK: f32 = 60.0;
+const NEAR_CHUNK: f32 = 6.0;
+const FAR_CHUNK: f32 = 20.0;
 /// Height of the water above the level's bottom: who falls out of the level is under it.
 const WATER: f32 = 1.2;
+/// A facet whose unit normal leads further away from the viewer than this is seen from nowhere: he looks along -z, and the
+/// edge of a picture 32:9 wide is 54 degrees aside.
+const AWAY: f32 = -0.82;
 
 /// Triangles that are drawn or skipped together.
 pub struct Chunk {
@@ -86,10 +89,11 @@ impl Scene {
         scene
     }
 
-    /// Appends a model, cut along x and y into chunks of `side` metres.
+    /// Appends a model without its backs, cut along x and y into chunks of `side` metres.
     fn add(&mut self, model: &Model, side: f32) {
         let mut cells: BTreeMap<(i32, i32), Vec<u32>> = BTreeMap::new();
-        for triangle in model.words.chunks_exact(3 * VERTEX_WORDS) {
+        let facets = model.words.chunks_exact(3 * VERTEX_WORDS);
+        for triangle in facets.filter(|facet| normal(facet).z > AWAY) {
             let number = |word: u32| (f32::from_bits(word) / side).floor() as i32;
             let cell = (number(triangle[0]), number(triangle[1]));
             cells.entry(cell).or_default().extend(triangle);
@@ -108,5 +112,35 @@ impl Scene {
                 max,
             });
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::model::paint;
+    use super::*;
+
+    #[test]
+    fn what_looks_away_from_the_viewer_is_left_out() {
+        let mut model = Model::default();
+        let front = [Vec3::ZERO, Vec3::X, Vec3::X + Vec3::Y, Vec3::Y];
+        let [a, b, c, d] = front;
+        model.quad(front, paint(0x808080));
+        model.quad([d, c, b, a], paint(0x808080));
+        let mut scene = Scene::default();
+        scene.add(&model, NEAR_CHUNK);
+        assert_eq!(
+            scene.words.len() / (3 * VERTEX_WORDS),
+            2,
+            "the front's two facets"
+        );
+        assert!(
+            scene
+                .words
+                .chunks_exact(VERTEX_WORDS)
+                .all(|vertex| normal(vertex).z > 0.9)
+        );
+        let chunks = scene.chunks.iter().map(|chunk| chunk.vertices.len());
+        assert_eq!(chunks.sum::<usize>(), 6);
     }
 }
