@@ -1,30 +1,15 @@
 //! Runs that are left and gone on with, and the way back to the last checkpoint.
 
-use edgewalker::game::{Input, Stage, World};
-use edgewalker::level::{By, Feature, Kind, Level, Rect};
+#[path = "common/hall.rs"]
+mod hall;
+
+use edgewalker::game::{Input, World};
+use edgewalker::level::{Feature, Kind};
 use edgewalker::tune::Tuning;
 use glam::DVec2;
-use std::sync::Arc;
+use hall::{play, region, world};
 
 const RATES: [u32; 4] = [15, 60, 120, 1000];
-
-/// A box from one height to another.
-fn block(id: &str, kind: Kind, (x0, x1): (f64, f64), (y0, y1): (f64, f64)) -> Feature {
-    Feature {
-        id: id.into(),
-        kind,
-        by: Some(By::Foot),
-        outline: [(x0, y0), (x1, y0), (x1, y1), (x0, y1)]
-            .map(DVec2::from)
-            .to_vec(),
-        ..Feature::default()
-    }
-}
-
-/// A region that the foot enters.
-fn region(id: &str, kind: Kind, from: f64, to: f64) -> Feature {
-    block(id, kind, (from, to), (-0.5, 3.0))
-}
 
 fn checkpoint() -> Feature {
     Feature {
@@ -33,46 +18,11 @@ fn checkpoint() -> Feature {
     }
 }
 
-/// A long floor with regions.
-fn world(more: &[Feature], rate: u32) -> World {
-    let floor = Feature {
-        by: None,
-        ..block("floor", Kind::Solid, (-60.0, 60.0), (-1.0, 0.0))
-    };
-    let level = Level {
-        version: 1,
-        name: "Kept runs".into(),
-        start: DVec2::ZERO,
-        goal: Rect {
-            min: DVec2::new(48.0, -0.5),
-            max: DVec2::new(49.0, 3.0),
-        },
-        bottom: -20.0,
-        features: [&[floor], more].concat(),
-        movers: Vec::new(),
-        areas: Vec::new(),
-        frames: Vec::new(),
-        scenery: Vec::new(),
-    };
-    World::new(Arc::new(Stage::build(level).unwrap()), rate, 0)
-}
-
-/// Plays until a time, to the right (1) or at rest (0).
-fn play(world: &mut World, until: f64, run: i8) {
-    let input = Input {
-        run: 127 * run,
-        ..Input::default()
-    };
-    while world.time() < until {
-        world.step(input, &Tuning::default());
-    }
-}
-
 /// Going back by hand is a death like any other: at the last checkpoint, with the clock going on.
 #[test]
 fn going_back_to_the_checkpoint_by_hand() {
     for rate in RATES {
-        let mut world = world(&[checkpoint()], rate);
+        let mut world = world(&[checkpoint()], &[], rate);
         play(&mut world, 2.0, 1);
         assert!(world.view().position.x > 6.0);
         go_back(&mut world);
@@ -94,7 +44,7 @@ fn go_back(world: &mut World) {
 #[test]
 fn a_run_goes_on_in_another_world() {
     let features = [checkpoint(), region("cave", Kind::Secret, 2.0, 3.0)];
-    let mut first = world(&features, 120);
+    let mut first = world(&features, &[], 120);
     play(&mut first, 2.0, 1);
     go_back(&mut first);
     let run = first.so_far();
@@ -105,7 +55,7 @@ fn a_run_goes_on_in_another_world() {
     );
     assert_eq!(run.seconds, first.time());
 
-    let mut second = world(&features, 60);
+    let mut second = world(&features, &[], 60);
     assert!(second.resume(&run));
     assert_eq!(second.so_far(), run);
     assert_eq!(second.view().position, DVec2::new(5.0, 0.0));
@@ -113,7 +63,7 @@ fn a_run_goes_on_in_another_world() {
     assert!((second.view().run_time() - run.seconds - 1.0).abs() < 1e-9);
     second.check().unwrap();
 
-    let mut changed = world(&features[1..], 60);
+    let mut changed = world(&features[1..], &[], 60);
     assert!(!changed.resume(&run), "the checkpoint is gone");
     assert_eq!(changed.view().position, DVec2::ZERO);
 }

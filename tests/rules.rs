@@ -1,67 +1,17 @@
 //! What events mean: deaths, checkpoints, goals and triggers, each at its own time between two ticks.
 
+#[path = "common/hall.rs"]
+mod hall;
+
 use edgewalker::game::{Input, Shape, Stage, World};
-use edgewalker::level::{
-    Area, By, Easing, Feature, Kind, Level, Mood, Mover, Rect, Repeat, Starts, Stop,
-};
+use edgewalker::level::{Area, Easing, Feature, Kind, Mood, Mover, Rect, Repeat, Starts, Stop};
 use edgewalker::motion::{Control, EventKind};
 use edgewalker::tune::{Motion, Tuning};
 use glam::DVec2;
+use hall::{block, play, region, world};
 use std::sync::Arc;
 
 const RATES: [u32; 6] = [15, 30, 60, 120, 250, 1000];
-
-/// A box between two corners.
-fn block(id: &str, kind: Kind, (x0, y0): (f64, f64), (x1, y1): (f64, f64)) -> Feature {
-    Feature {
-        id: id.into(),
-        kind,
-        outline: [(x0, y0), (x1, y0), (x1, y1), (x0, y1)]
-            .map(DVec2::from)
-            .to_vec(),
-        ..Feature::default()
-    }
-}
-
-/// The same as a region that is entered by the foot.
-fn region(id: &str, kind: Kind, from: f64, to: f64) -> Feature {
-    Feature {
-        by: Some(By::Foot),
-        ..block(id, kind, (from, -0.5), (to, 3.0))
-    }
-}
-
-/// A long floor with regions and movers.
-fn world(more: &[Feature], movers: &[Mover], rate: u32) -> World {
-    let floor = block("floor", Kind::Solid, (-60.0, -1.0), (60.0, 0.0));
-    let level = Level {
-        version: 1,
-        name: "Rules".into(),
-        start: DVec2::ZERO,
-        goal: Rect {
-            min: DVec2::new(48.0, -0.5),
-            max: DVec2::new(49.0, 3.0),
-        },
-        bottom: -20.0,
-        features: [&[floor], more].concat(),
-        movers: movers.to_vec(),
-        areas: Vec::new(),
-        frames: Vec::new(),
-        scenery: Vec::new(),
-    };
-    World::new(Arc::new(Stage::build(level).unwrap()), rate, 0)
-}
-
-/// Plays until a time, to the right (1), to the left (-1) or at rest (0).
-fn play(world: &mut World, until: f64, run: i8) {
-    let input = Input {
-        run: 127 * run,
-        ..Input::default()
-    };
-    while world.time() < until {
-        world.step(input, &Tuning::default());
-    }
-}
 
 /// A tick in which the player asks to begin anew.
 fn restart(world: &mut World) {
