@@ -1,9 +1,9 @@
 //! High contrast: the hero and everything deadly in bright outlines over the scene, for those to whom shades say too little.
 
-use super::render::Line;
+use super::render::{Line, crushers};
 use crate::game::{Shape, View};
 use crate::geom::Collider;
-use crate::level::{Kind, Level};
+use crate::level::{Feature, Kind, Level};
 use glam::{DVec2, Vec3};
 
 /// Colours of the hero and of what kills.
@@ -14,15 +14,26 @@ const WIDTH: f32 = 0.005;
 /// Before the plane of play, so that no front covers them, in metres.
 const BEFORE: f32 = 0.2;
 
-/// Adds the outlines of a moment to the lines of a picture of this height in pixels.
-pub fn outline(level: &Level, view: &View, height: u32, lines: &mut Vec<Line>) {
+/// Adds the outlines of a moment to the lines of a picture of this height in pixels; `offsets` is how far each mover is
+/// from where it was drawn.
+pub fn outline(level: &Level, view: &View, offsets: &[DVec2], height: u32, lines: &mut Vec<Line>) {
     let width = height as f32 * WIDTH;
-    for feature in level.features.iter().filter(|f| f.kind == Kind::Hazard) {
+    for feature in hazards(&level.features) {
         ring(&feature.outline, DVec2::ZERO, DANGER, width, lines);
+    }
+    for (mover, &offset) in level.movers.iter().zip(offsets) {
+        for feature in hazards(&mover.features).chain(crushers(mover)) {
+            ring(&feature.outline, offset, DANGER, width, lines);
+        }
     }
     let Shape { stand, crouch } = Shape::hero();
     let body = corners(if view.crouched { &crouch } else { &stand });
     ring(&body, view.position, HERO, width, lines);
+}
+
+/// What kills whoever comes into it.
+fn hazards(features: &[Feature]) -> impl Iterator<Item = &Feature> {
+    features.iter().filter(|f| f.kind == Kind::Hazard)
 }
 
 /// The corners of a body, in metres from its foot.
@@ -58,16 +69,28 @@ mod tests {
             features: [
                 (id: \"floor\", outline: [(-9, -3), (9, -3), (9, 0), (-9, 0)]),
                 (id: \"spikes\", kind: Hazard, outline: [(3, 0), (4, 0), (3.5, 1)]),
+            ],
+            movers: [
+                (id: \"press\", features: [(id: \"block\", material: Iron, outline: [(5, 3), (6, 3), (6, 4), (5, 4)])],
+                    path: [(at: (0, 0), seconds: 1), (at: (0, -2), seconds: 1)], repeat: Loop),
+                (id: \"lift\", features: [(id: \"deck\", material: Timber, outline: [(7, 0), (8, 0), (8, 0.2)])],
+                    path: [(at: (0, 0), seconds: 1), (at: (0, 2), seconds: 1)], repeat: Loop),
             ])";
         let level = level::parse(text, Path::new("test")).unwrap();
         let view = View::at(DVec2::new(-5.0, 0.0));
         let mut lines = Vec::new();
-        outline(&level, &view, 720, &mut lines);
+        let offsets = [DVec2::NEG_Y, DVec2::Y];
+        outline(&level, &view, &offsets, 720, &mut lines);
         let hero = Shape::hero().stand.corners().len();
-        assert_eq!(lines.len(), 3 + hero);
+        assert_eq!(lines.len(), 3 + 4 + hero);
         assert_eq!(lines[0].a, Vec3::new(3.0, 0.0, BEFORE));
+        assert_eq!(
+            lines[3].a,
+            Vec3::new(5.0, 2.0, BEFORE),
+            "the press a metre below its place"
+        );
         assert!(
-            lines[3..]
+            lines[7..]
                 .iter()
                 .all(|line| line.colour == HERO && line.a.x < -4.0)
         );

@@ -268,7 +268,8 @@ impl App {
     /// Fills the page of text: display, problems, menus.
     pub(super) fn write_page(&mut self, view: &View, elapsed: f32, covered: f32) {
         self.text.begin(self.platform.pixels());
-        self.hud.darken(&mut self.text);
+        let flashes = self.front.live.accessibility.flashes;
+        self.hud.veil(&mut self.text, flashes);
         if !self.front.is_open() {
             let over = self.feed.is_over().then_some("The replay is over");
             let held = over.or(Some("Time stands still"));

@@ -15,6 +15,9 @@ const PROMPTS: [f32; 3] = [1.4, 9.0, 10.5];
 const WORD: [f32; 3] = [0.25, 2.2, 3.2];
 /// Seconds in which the picture comes out of the dark after another world was entered.
 const CURTAIN: f32 = 0.8;
+/// Seconds in which the flash of a death is over, and the most it covers.
+const FLASH: f32 = 0.4;
+const BRIGHT: f32 = 0.5;
 /// Size of the picture's height that lengths are meant for.
 const DESIGN: f32 = 720.0;
 /// Heights of lines as shares of the picture's height.
@@ -43,8 +46,11 @@ pub struct Hud {
     word: Option<(Word, f32)>,
     secrets: u32,
     began_at: f64,
+    deaths: u32,
     /// How dark the picture still is, 0 to 1.
     curtain: f32,
+    /// How bright it still is after a death, 0 to 1.
+    flash: f32,
 }
 
 /// What the display is drawn from.
@@ -72,6 +78,8 @@ impl Hud {
     pub fn begin(&mut self) {
         *self = Hud {
             curtain: self.curtain,
+            flash: self.flash,
+            deaths: self.deaths,
             ..Hud::default()
         };
     }
@@ -81,12 +89,18 @@ impl Hud {
         self.curtain = 1.0;
     }
 
-    /// The dark that is left of a curtain, over the whole picture.
-    pub fn darken(&self, text: &mut Text) {
+    /// Over the whole picture: the dark that is left of a curtain, and the light that is left of a death, if flashes are
+    /// shown; without them a death is dark.
+    pub fn veil(&self, text: &mut Text, flashes: bool) {
         let [width, height] = text.size();
-        if self.curtain > 0.0 {
-            let ink = with_alpha(INK, self.curtain * self.curtain);
-            text.rect([0.0, 0.0, width, height], ink);
+        let flash = if flashes { PAPER } else { INK };
+        for (colour, left) in [
+            (INK, self.curtain * self.curtain),
+            (flash, BRIGHT * self.flash * self.flash),
+        ] {
+            if left > 0.0 {
+                text.rect([0.0, 0.0, width, height], with_alpha(colour, left));
+            }
         }
     }
 
@@ -108,6 +122,11 @@ impl Hud {
             self.word = Some((Word::Secret, 0.0));
         }
         self.secrets = view.secrets;
+        if view.deaths > self.deaths {
+            self.flash = 1.0;
+        }
+        self.deaths = view.deaths;
+        self.flash = (self.flash - seconds / FLASH).max(0.0);
         self.curtain = (self.curtain - seconds / CURTAIN).max(0.0);
         self.named += seconds;
         self.begun += seconds;

@@ -4,12 +4,11 @@
 //! [`input`] and [`pads`] (devices), [`clock`] (time to ticks), [`runs`] (from player or replay, recorded or not),
 //! [`play`] (a world being played), [`edits`] (what the overlay may ask for), [`reload`] (files that change),
 //! [`levels`] (those to choose from), [`notices`] (what went wrong), [`capture`] (pictures as files), `bench` (frame
-//! times), [`settings`] (what
-//! is set and what has been reached, and their files), [`menu`] (title, pause, settings as values, and their look),
-//! [`front`] (the menus in the running game), `games` (runs begun and finished), `liking` (settings made to hold),
-//! [`audio`] and `sounds` (what is heard), [`hud`] (what is told beside the world), `contrast` (bright outlines by wish),
-//! [`text`] (letters), [`overlay`]
-//! (panels and drawings for developers), [`render`] (the world's picture).
+//! times), [`settings`] (what is set and what has been reached, and their files), [`menu`] (title, pause, settings as
+//! values, and their look), [`front`] (the menus in the running game), `games` (runs begun and finished), `liking`
+//! (settings made to hold), [`audio`] and `sounds` (what is heard), [`hud`] (what is told beside the world), `contrast`
+//! (bright outlines by wish), `jolt` (how hard landings shake the picture), [`text`] (letters), [`overlay`] (panels and
+//! drawings for developers), [`puppet`] (the hero's model and figure), [`render`] (the world's picture).
 
 pub mod app;
 pub mod audio;
@@ -22,6 +21,7 @@ pub mod front;
 mod games;
 pub mod hud;
 pub mod input;
+mod jolt;
 pub mod levels;
 mod liking;
 pub mod menu;

@@ -4,6 +4,7 @@ use super::ShellError;
 use super::app::App;
 use super::contrast;
 use super::edits::Edit;
+use super::jolt::shaken;
 use super::menu::prompts::Device;
 use super::overlay::Info;
 use super::overlay::scene::{Drawing, MeshPicture};
@@ -29,9 +30,10 @@ impl App {
         let covered = self.overlay.covered(&self.platform);
         let offsets: Vec<DVec2> = self.play.world.offsets_at(view.time).collect();
         let pose = self.play.pose(share, &self.tuning);
+        let shake = f64::from(self.front.live.accessibility.shake) / 100.0;
         let pose = match self.front.is_title() {
             true => drifting(beside(pose, TITLE_ASIDE, pixels), self.front.clock),
-            false => beside(pose, covered, pixels),
+            false => beside(shaken(pose, &view, shake), covered, pixels),
         };
         let mut drawing = if self.overlay.open || self.overlay.show.mesh {
             let show = self.overlay.show;
@@ -42,7 +44,7 @@ impl App {
         };
         if self.front.live.accessibility.contrast && !self.front.is_title() {
             let level = &self.play.world.stage().level;
-            contrast::outline(level, &view, pixels.1, &mut drawing.lines);
+            contrast::outline(level, &view, &offsets, pixels.1, &mut drawing.lines);
         }
         // The view's own time: what moves in the world stands still with it.
         let hero = self.play.shown(share);

@@ -281,8 +281,10 @@ impl Item {
                 "Held as long as the key is, or pressed once to go down and once to stand up."
             }
             Item::ResetControls => "All keys, buttons and dead zones as they were.",
-            Item::Shake => "How much hard landings and machines may shake the camera.",
-            Item::Flashes => "Without them, sudden light fades in gently.",
+            Item::Shake => "How much hard landings shake the picture.",
+            Item::Flashes => {
+                "A death lights the picture up for a moment; without flashes it darkens it."
+            }
             Item::Speed => "Everything moves more slowly, and nothing else changes.",
             Item::Contrast => "Bright outlines around the hero and everything deadly.",
             _ => "",

@@ -7,7 +7,7 @@ use super::shards::Shards;
 use super::{dangers, fixtures, guides, terrain};
 use crate::game::Stage;
 use crate::geom::Collider;
-use crate::level::{Feature, Material};
+use crate::level::Feature;
 use glam::{DVec2, Mat4, Vec3};
 
 /// How far the marks of what crushes stand out of its front, in metres.
@@ -36,10 +36,8 @@ impl Carried {
             for feature in &mover.features {
                 add_resting_arrows(feature, &mut model);
             }
-            if guides::stamps(mover) {
-                for feature in features.iter().filter(|f| f.material == Material::Iron) {
-                    dangers::crusher(feature, terrain::FRONT + PROUD, &mut model);
-                }
+            for feature in guides::crushers(mover) {
+                dangers::crusher(feature, terrain::FRONT + PROUD, &mut model);
             }
             model
         });

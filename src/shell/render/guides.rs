@@ -3,7 +3,7 @@
 use super::fixtures::outline;
 use super::kit::Kit;
 use super::model::{Model, Paint, paint};
-use crate::level::{Material, Mover, Repeat, SceneryKind};
+use crate::level::{Feature, Material, Mover, Repeat, SceneryKind};
 use glam::{Mat4, Vec2, Vec3};
 
 /// Depth of rails and chains, behind the hero.
@@ -125,9 +125,16 @@ fn wheel(at: Vec2, paint: Paint, model: &mut Model) {
 }
 
 /// Whether a mover goes up and down: what it comes down on is crushed.
-pub fn stamps(mover: &Mover) -> bool {
+fn stamps(mover: &Mover) -> bool {
     let upright = |(a, b): &(Vec2, Vec2)| (*b - *a).y.abs() >= UPRIGHT * (*b - *a).x.abs();
     ways(mover).iter().any(upright)
+}
+
+/// The parts of a mover that are shown as dangerous: the iron of one that stamps.
+pub fn crushers(mover: &Mover) -> impl Iterator<Item = &Feature> {
+    let stamps = stamps(mover);
+    let parts = mover.features.iter();
+    parts.filter(move |feature| stamps && feature.material == Material::Iron)
 }
 
 #[cfg(test)]
@@ -135,7 +142,7 @@ mod tests {
     use super::super::kit::tests::kit;
     use super::super::model::VERTEX_WORDS;
     use super::*;
-    use crate::level::{Feature, Stop};
+    use crate::level::Stop;
     use glam::DVec2;
 
     fn lift(to: (f64, f64), repeat: Repeat) -> Mover {
