@@ -4,8 +4,8 @@
 #[path = "common/player.rs"]
 mod player;
 
-use edgewalker::game::{Input, Stage, World};
-use edgewalker::level::Level;
+use edgewalker::game::{Input, Replay, Stage, World};
+use edgewalker::level::{Kind, Level};
 use edgewalker::tune::Tuning;
 use glam::DVec2;
 use player::{Act, Drop, Duck, Fall, Jump, Player, Run, Walk, quarry, way};
@@ -252,6 +252,47 @@ fn the_way_itself_passes_no_secret_and_no_death() {
     assert_eq!((view.deaths, view.secrets), (0, 0));
     areas.dedup();
     assert_eq!(areas, [0, 1, 2]);
+}
+
+/// Who dies loses at most this much of the recorded run, s.
+const LONGEST_WAY_BACK: f64 = 30.0;
+
+/// From start to checkpoint, from there to the next, and to the goal: never far in the recorded run.
+#[test]
+fn no_death_costs_more_than_half_a_minute() {
+    let run = include_str!("golden/quarry.replay.ron");
+    let replay = Replay::parse(run).unwrap();
+    let mut world = replay
+        .world(Arc::new(Stage::build(quarry()).unwrap()))
+        .unwrap();
+    let mut safe = (0.0, "the start".to_string());
+    let mut reached = 0;
+    for input in replay.iter() {
+        let before = world.view().checkpoint;
+        world.step(input, &replay.tuning);
+        let view = world.view();
+        let goal = view.won_at.is_some();
+        if view.checkpoint == before && !goal {
+            continue;
+        }
+        let camp = world.checkpoint().filter(|_| !goal);
+        let place = camp.map_or("the goal".to_string(), |camp| camp.id.clone());
+        let seconds = view.won_at.unwrap_or(view.time) - safe.0;
+        println!("{seconds:6.2} s from {} to {place}", safe.1);
+        assert!(
+            seconds <= LONGEST_WAY_BACK,
+            "{} to {place}: {seconds} s",
+            safe.1
+        );
+        safe = (view.time, place);
+        reached += 1;
+        if goal {
+            break;
+        }
+    }
+    let camps = world.stage().level.features.iter();
+    let camps = camps.filter(|feature| feature.kind == Kind::Checkpoint);
+    assert_eq!(reached, camps.count() + 1, "every one, and the goal");
 }
 
 /// The inputs of a player who decides thirty times a second, given to worlds with more ticks: the run is the same to the bit.

@@ -1,6 +1,7 @@
 //! Level files: what is refused, in which words, and that nothing in a file can make the game panic.
 
 mod kinds;
+mod stretches;
 
 use edgewalker::game::Stage;
 use edgewalker::level::{self, Level};
