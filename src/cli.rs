@@ -141,11 +141,13 @@ pub struct Screenshot {
     pub at: u64,
 }
 
-/// Pictures of the first seconds of a run.
+/// Pictures of some seconds of a run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Film {
-    /// Where the PNG go.
-    pub folder: PathBuf,
+    /// Where they go, one after the other; a pipe will do.
+    pub file: PathBuf,
+    /// The tick before the first of them.
+    pub at: u64,
     /// How many seconds.
     pub seconds: u32,
 }
@@ -295,15 +297,15 @@ const CONTRADICTIONS: &[(&str, &[&str], &str)] = &[
     ("soundtrack", &["headless"], "one thing at a time"),
 ];
 
-/// Options that are pointless without another one.
-const NEEDS: &[(&str, &str)] = &[
-    ("ticks", "check"),
-    ("headless", "replay"),
-    ("soundtrack", "replay"),
-    ("screenshot", "at"),
-    ("at", "screenshot"),
-    ("film", "seconds"),
-    ("seconds", "film"),
+/// Options that are pointless without another one, or without one of several.
+const NEEDS: &[(&str, &[&str])] = &[
+    ("ticks", &["check"]),
+    ("headless", &["replay"]),
+    ("soundtrack", &["replay"]),
+    ("screenshot", &["at"]),
+    ("at", &["screenshot", "film"]),
+    ("film", &["seconds"]),
+    ("seconds", &["film"]),
 ];
 
 /// The arguments by name, each at most once; flags have no value.
@@ -348,11 +350,12 @@ impl Given {
                 ));
             }
         }
+        let lacks = |others: &[&str]| !others.iter().any(|other| self.has(other));
         match NEEDS
             .iter()
-            .find(|(one, other)| self.has(one) && !self.has(other))
+            .find(|(one, others)| self.has(one) && lacks(others))
         {
-            Some((one, other)) => usage(format!("--{one} needs --{other}")),
+            Some((one, others)) => usage(format!("--{one} needs --{}", others.join(" or --"))),
             None => Ok(()),
         }
     }
@@ -392,7 +395,8 @@ impl Given {
     fn film(&self) -> Result<Option<Film>, UsageError> {
         let seconds = self.number("seconds", FILM_SECONDS)?;
         let film = self.path("film").zip(seconds);
-        Ok(film.map(|(folder, seconds)| Film { folder, seconds }))
+        let at = self.number("at", 0..=LONGEST)?.unwrap_or(0);
+        Ok(film.map(|(file, seconds)| Film { file, at, seconds }))
     }
 
     fn size(&self) -> Result<Option<(u32, u32)>, UsageError> {

@@ -17,9 +17,10 @@ Runs as values
   --replay FILE       Play a recorded run; it brings its level, tuning, tick rate and seed
   --headless          With --replay: no window, print the final state's hash and a summary
   --screenshot FILE   Write one picture as PNG and leave; needs --at
-  --at TICK           The tick of the picture: of the replay, or of a run without input
+  --at TICK           The tick of the picture, or before the film: of the replay, or of a run without input
   --soundtrack FILE   With --replay: no window, write what is heard of the run as WAV
-  --film FOLDER       Write 60 pictures a second as PNG into FOLDER and leave; needs --seconds (scripts/video)
+  --film FILE         Write 60 pictures a second into FILE, as PPM one after the other, and leave; needs --seconds. FILE may
+                      be a pipe (scripts/video)
   --seconds N         How long the film is
   --bench-frames N    Draw N frames of a sixtieth of a second each, say how long they took, and leave; of all presets,
                       or of the one that --preset names

@@ -57,13 +57,14 @@ fn every_option_arrives() {
         (kept.config_dir, kept.screen),
         (Some("c".into()), Some("video"))
     );
-    let film = options("--film f --seconds 20 --preset low");
-    let folder = "f".into();
+    let film = options("--film f --seconds 20 --at 7 --preset low");
+    let file = "f".into();
     assert_eq!(
         (film.film, film.preset),
         (
             Some(Film {
-                folder,
+                file,
+                at: 7,
                 seconds: 20
             }),
             Some(Preset::Low)
@@ -164,7 +165,7 @@ fn nonsense_is_refused_with_the_reason() {
             "--bench-frames 0",
             "--bench-frames: `0` is not a whole number from 1 to 100000",
         ),
-        ("--at 3", "--at needs --screenshot"),
+        ("--at 3", "--at needs --screenshot or --film"),
         (
             "--replay r --level l",
             "--replay and --level contradict each other: a replay brings its own",

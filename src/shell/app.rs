@@ -251,32 +251,29 @@ impl App {
         Ok(())
     }
 
-    /// Takes the pictures of so many seconds, as many a second as a film has, without waiting for them in real time.
+    /// Takes the pictures of so many seconds after a tick, as many a second as a film has, without waiting for them in real
+    /// time.
     ///
     /// # Errors
-    /// OpenGL fails, or a file cannot be written.
-    pub fn film(&mut self, folder: &Path, seconds: u32) -> Result<(), ShellError> {
+    /// OpenGL fails, the file cannot be written, or the replay is over before that tick.
+    pub fn film(&mut self, file: &Path, at: u64, seconds: u32) -> Result<(), ShellError> {
         let size = self.platform.pixels();
-        for number in 0..seconds * FILM_RATE {
+        let mut reel = capture::Reel::open(file)?;
+        self.go_to(at)?;
+        for _ in 0..seconds * FILM_RATE {
             self.notices.advance(MEASURED_FRAME);
             self.paused = false;
             self.advance_front(MEASURED_FRAME);
             self.advance(MEASURED_FRAME);
             while self.platform.events.poll_event().is_some() {}
             self.draw(MEASURED_FRAME.as_secs_f32())?;
-            let pixels = self.renderer.read_pixels(size);
-            let file = folder.join(format!("{number:05}.png"));
-            capture::write_png(&file, size, &pixels)?;
+            reel.push(size, &self.renderer.read_pixels(size))?;
         }
-        Ok(())
+        Ok(reel.close()?)
     }
 
-    /// Takes the picture of a tick without waiting for it in real time.
-    ///
-    /// # Errors
-    /// OpenGL fails, the file cannot be written, or the replay is over before that tick.
-    pub fn screenshot(&mut self, file: &Path, at: u64) -> Result<(), ShellError> {
-        files::check_writable(file)?;
+    /// Plays until a tick without showing anything.
+    fn go_to(&mut self, at: u64) -> Result<(), ShellError> {
         let span = Duration::from_secs(1) / self.play.world.tick_rate();
         while self.play.world.tick() < at {
             self.notices.advance(span);
@@ -289,6 +286,16 @@ impl App {
             }
         }
         self.clock.settle();
+        Ok(())
+    }
+
+    /// Takes the picture of a tick without waiting for it in real time.
+    ///
+    /// # Errors
+    /// OpenGL fails, the file cannot be written, or the replay is over before that tick.
+    pub fn screenshot(&mut self, file: &Path, at: u64) -> Result<(), ShellError> {
+        files::check_writable(file)?;
+        self.go_to(at)?;
         let size = self.platform.pixels();
         self.front.menu.advance(SETTLE_TIME);
         for _ in 0..SETTLE_FRAMES {

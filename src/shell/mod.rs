@@ -99,8 +99,8 @@ pub fn run(options: &Options) -> Result<(), ShellError> {
     if let Some(Screenshot { file, at }) = &options.screenshot {
         return app.screenshot(file, *at);
     }
-    if let Some(Film { folder, seconds }) = &options.film {
-        return app.film(folder, *seconds);
+    if let Some(Film { file, at, seconds }) = &options.film {
+        return app.film(file, *at, *seconds);
     }
     match options.bench_frames {
         Some(frames) => bench::run(&mut app, frames, options.preset, begin),

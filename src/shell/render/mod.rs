@@ -246,7 +246,9 @@ impl Renderer {
     pub fn read_pixels(&self, size: (u32, u32)) -> Vec<u8> {
         let upwards = self.gl.read_pixels(size.0, size.1);
         let rows = upwards.chunks_exact((size.0 as usize * 3).max(1));
-        rows.rev().flatten().copied().collect()
+        let mut downwards = Vec::with_capacity(upwards.len());
+        rows.rev().for_each(|row| downwards.extend_from_slice(row));
+        downwards
     }
 
     /// Waits until all is drawn: for measuring alone.
