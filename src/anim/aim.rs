@@ -38,7 +38,7 @@ pub fn facing(kind: Kind, moves: &Moves, run: f32, now: f32) -> f32 {
 pub fn gaze(kind: Kind, moves: &Moves) -> Vec2 {
     if matches!(
         kind,
-        Kind::Roll | Kind::GetUp | Kind::Ladder | Kind::ClimbWall | Kind::ClimbOver
+        Kind::Roll | Kind::Die | Kind::GetUp | Kind::Ladder | Kind::ClimbWall | Kind::ClimbOver
     ) {
         return Vec2::ZERO;
     }

@@ -26,7 +26,9 @@ const GROUNDING: (f32, f32) = (35.0, 14.0);
 const PACING: f32 = 30.0;
 const SLOPING: f32 = 22.0;
 /// The fastest that hands follow each other up a wall, as a speed, m/s.
-const CLIMBS: f64 = 5.0;
+const CLIMBS: f64 = 4.0;
+/// The fastest that a limb turns, whatever comes together, rad/s: somewhat more than a thigh at full speed.
+const FASTEST: f32 = 58.0;
 /// How fast the lean follows, 1/s; the most of it, in radians, and the acceleration for that, m/s^2.
 const LEANING: f32 = 12.0;
 const LEAN: (f32, f32) = (0.20, 90.0);
@@ -162,13 +164,40 @@ impl Figure {
         self.play(moves, rig);
         let moved = (moves.foot - before.foot).as_vec2().extend(0.0);
         self.follow(&before, moves, span as f32);
-        let pose = self.finish(span as f32, moved, rig, ground);
+        let was = self.shown.pose;
+        let mut pose = self.finish(span as f32, moved, rig, ground);
+        pose.turn_at_most(FASTEST * span as f32, &was, &rig.muscles);
         let placed = rig.model.skeleton.place(&pose);
         let stand = self.rigid();
         let outline = self.outline(rig, &placed);
         let moment = moment(moves, moved);
         self.tails.advance(rig, &placed, &stand, &moment, &outline);
         self.hang(pose, placed, rig);
+    }
+
+    /// Strikes him dead where he is: from now on he only goes down, by [`fall`](Self::fall).
+    pub fn strike(&mut self, rig: &Rig) {
+        let at = self.moves.time;
+        let from = self.state.kind;
+        self.state = State {
+            kind: Kind::Die,
+            since: at,
+        };
+        let new = self.state.pose(&self.moves, self.pace, rig);
+        let (earlier, seconds) = (&self.earlier.0, self.earlier.1);
+        let fade_in = self.state.fade_in(from);
+        self.fade = Fade::new(at, fade_in, &self.base, (earlier, seconds), &new);
+    }
+
+    /// Goes down for so many seconds more, in his own time.
+    pub fn fall(&mut self, span: f64, rig: &Rig, ground: &dyn Ground) {
+        let moves = Moves {
+            time: self.moves.time + span,
+            facing: self.moves.side(),
+            ..Moves::standing(self.moves.foot)
+        };
+        let deaths = self.moves.deaths;
+        self.advance(&Moves { deaths, ..moves }, rig, ground);
     }
 
     /// Whether he was put elsewhere rather than moved there.
@@ -286,7 +315,7 @@ impl Figure {
         let speed = (self.moves.velocity.y as f32).abs() / STRETCHED_AT;
         let flight = STRETCH * smooth(speed) * (1.0 - self.weight);
         let squash = flight - landed * self.weight;
-        let rolls = matches!(self.state.kind, Kind::Roll | Kind::GetUp);
+        let rolls = matches!(self.state.kind, Kind::Roll | Kind::Die | Kind::GetUp);
         1.0 + if rolls {
             0.0
         } else {
@@ -359,7 +388,7 @@ impl Figure {
 
     /// Leans and looks.
     fn bow(&self, rig: &Rig, pose: &mut Pose) {
-        let steady = !matches!(self.state.kind, Kind::Roll | Kind::GetUp);
+        let steady = !matches!(self.state.kind, Kind::Roll | Kind::Die | Kind::GetUp);
         if !steady {
             return;
         }

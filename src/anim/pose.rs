@@ -1,7 +1,7 @@
 //! A pose: where each bone is in its parent's space; and how poses are mixed.
 
 use super::skeleton::MAX_BONES;
-use super::trs::{Trs, blend_turns};
+use super::trs::{Trs, angle_between, blend_turns};
 use glam::Quat;
 
 /// Where every bone is, each in the space of the one above it.
@@ -36,12 +36,12 @@ impl Pose {
         }
     }
 
-    /// As [`Pose::blend`], each bone by its share of the mask.
-    pub fn blend_masked(&mut self, to: &Pose, share: f32, mask: &Mask) {
-        for ((bone, to), part) in self.bones.iter_mut().zip(&to.bones).zip(mask.shares) {
-            let share = share * part;
-            if share > 0.0 {
-                *bone = bone.lerp(to, share);
+    /// Lets no bone of the mask turn further than so many radians from what it was.
+    pub fn turn_at_most(&mut self, angle: f32, was: &Pose, mask: &Mask) {
+        for ((bone, was), part) in self.bones.iter_mut().zip(&was.bones).zip(mask.shares) {
+            let turn = angle_between(was.turn, bone.turn);
+            if part > 0.0 && turn > angle {
+                bone.turn = was.turn.slerp(bone.turn, angle / turn);
             }
         }
     }
@@ -93,14 +93,17 @@ mod tests {
     }
 
     #[test]
-    fn a_mask_spares_what_it_leaves_out() {
+    fn a_turn_that_is_too_far_goes_as_far_as_it_may() {
         let mut mask = Mask {
-            shares: [0.0; MAX_BONES],
+            shares: [1.0; MAX_BONES],
         };
-        mask.shares[2] = 0.5;
-        let mut pose = bent(0.0);
-        pose.blend_masked(&bent(1.0), 1.0, &mask);
-        assert_eq!(pose.bones[1], Trs::IDENTITY);
-        assert!((pose.bones[2].place.x - 0.5).abs() < 1e-6);
+        mask.shares[2] = 0.0;
+        let (mut pose, mut small) = (bent(1.0), bent(0.25));
+        pose.turn_at_most(0.3, &bent(0.0), &mask);
+        small.turn_at_most(0.3, &bent(0.0), &mask);
+        let angle = |pose: &Pose, bone: usize| angle_between(pose.bones[bone].turn, Quat::IDENTITY);
+        assert!((angle(&pose, 1) - 0.3).abs() < 1e-5, "too far");
+        assert!((angle(&pose, 2) - 1.0).abs() < 1e-5, "spared by the mask");
+        assert_eq!(small, bent(0.25), "not too far");
     }
 }

@@ -58,6 +58,8 @@ named! {
 
 /// A bone of tufts that the file may have: it is moved by the wind.
 const CREST: &str = "crest";
+/// How the names of bones begin that springs turn.
+const HANGS: [&str; 3] = ["cape", "lantern", CREST];
 
 /// A leg's bones and lengths.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -79,6 +81,8 @@ pub struct Rig {
     pub legs: [Leg; 2],
     /// All above the hips, and what hangs from there.
     pub upper: Mask,
+    /// All that muscles turn: what hangs is left out.
+    pub muscles: Mask,
     /// The crest's bone, if there is one.
     pub crest: Option<usize>,
     bones: [usize; Bone::ALL.len()],
@@ -134,6 +138,7 @@ impl Rig {
         Ok(Rig {
             legs: [left, right].map(|bones| measure(&model, bones)),
             upper: below(&model, bones[Bone::Spine as usize]),
+            muscles: muscles(&model),
             crest: model.skeleton.find(CREST),
             bones,
             clips,
@@ -180,6 +185,18 @@ fn measure(model: &Model, bones: [usize; 3]) -> Leg {
         lengths: [at[0].distance(at[1]), at[1].distance(at[2])],
         ankle: at[2].y,
     }
+}
+
+/// All bones but those that hang freely.
+fn muscles(model: &Model) -> Mask {
+    let mut mask = Mask {
+        shares: [1.0; MAX_BONES],
+    };
+    for (share, joint) in mask.shares.iter_mut().zip(&model.skeleton.joints) {
+        let hangs = HANGS.iter().any(|name| joint.name.starts_with(name));
+        *share = f32::from(u8::from(!hangs));
+    }
+    mask
 }
 
 /// A bone and all that hangs from it.

@@ -28,6 +28,8 @@ const APEX: (f32, f32) = (4.0, -6.0);
 const TAKE_OFF: f32 = 0.5;
 /// Share of the climb's clip that is spent going up; the rest is standing up.
 const GOES_UP: f32 = 0.7;
+/// How much faster than it was recorded he goes down at a death.
+const GOES_DOWN: f64 = 1.7;
 /// How much faster than it was recorded he gets up after a death, and from which share of that clip on.
 const GETS_UP: (f64, f64) = (2.6, 0.75);
 
@@ -64,6 +66,8 @@ pub enum Kind {
     ClimbWall,
     /// Climbs a ladder.
     Ladder,
+    /// Goes down, struck dead.
+    Die,
     /// Gets up after he has come back.
     GetUp,
 }
@@ -91,6 +95,9 @@ pub struct State {
 impl State {
     /// What the figure does now, after what it did: this movement, or another from the time of the event that began it.
     pub fn next(self, moves: &Moves, rig: &Rig) -> State {
+        if self.kind == Kind::Die {
+            return self;
+        }
         let age = moves.time - self.since;
         let seconds = |act: Act| f64::from(rig.clip(act).seconds);
         let (speed, forward) = (moves.forward().abs(), moves.forward());
@@ -143,6 +150,7 @@ impl State {
     /// Seconds that the change to this movement takes, from another.
     pub fn fade_in(self, from: Kind) -> f32 {
         match (from, self.kind) {
+            (_, Kind::Die) => 0.1,
             (_, Kind::Air | Kind::Roll) => 0.12,
             (
                 Kind::Air,
@@ -209,6 +217,7 @@ impl State {
             Kind::ClimbOver => rig.sample(Act::LedgeClimb, self.climbed_over(moves, rig)),
             Kind::ClimbWall => rig.cycle(Act::ClimbWall, rounds),
             Kind::Ladder => rig.cycle(Act::Ladder, rounds),
+            Kind::Die => rig.sample(Act::Death, age * GOES_DOWN),
             Kind::GetUp => {
                 let left = f64::from(rig.clip(Act::Death).seconds) * GETS_UP.1 - age * GETS_UP.0;
                 rig.sample(Act::Death, left.max(0.0))

@@ -18,7 +18,7 @@ use super::render::Renderer;
 use super::runs::{Feed, Recorder};
 use super::settings::Settings;
 use super::text::{Pass, Text};
-use super::{ShellError, capture, levels, liking, puppet};
+use super::{ShellError, levels, liking, puppet};
 use crate::anim::Rig;
 use crate::cli::{Options, files};
 use crate::tune::Tuning;
@@ -33,12 +33,8 @@ const MODELS: &str = "assets/models";
 /// Time per frame without vsync by wish, and of a window that nobody looks at.
 const FREE_FRAME: Duration = Duration::from_micros(4000);
 const IDLE_FRAME: Duration = Duration::from_millis(33);
-/// Pictures a second of a film, and time per frame there and where frames are measured.
-const FILM_RATE: u32 = 60;
-const MEASURED_FRAME: Duration = Duration::from_nanos(1_000_000_000 / FILM_RATE as u64);
-/// Frames after which ImGui's windows have found their sizes, and seconds after which a menu has come to rest.
-const SETTLE_FRAMES: usize = 3;
-const SETTLE_TIME: f32 = 1.0;
+/// Time per frame where frames are measured.
+const MEASURED_FRAME: Duration = Duration::from_nanos(16_666_666);
 
 /// The running game.
 pub struct App {
@@ -251,62 +247,6 @@ impl App {
         Ok(())
     }
 
-    /// Takes the pictures of so many seconds after a tick, as many a second as a film has, without waiting for them in real
-    /// time.
-    ///
-    /// # Errors
-    /// OpenGL fails, the file cannot be written, or the replay is over before that tick.
-    pub fn film(&mut self, file: &Path, at: u64, seconds: u32) -> Result<(), ShellError> {
-        let size = self.platform.pixels();
-        let mut reel = capture::Reel::open(file)?;
-        self.go_to(at)?;
-        for _ in 0..seconds * FILM_RATE {
-            self.notices.advance(MEASURED_FRAME);
-            self.paused = false;
-            self.advance_front(MEASURED_FRAME);
-            self.advance(MEASURED_FRAME);
-            while self.platform.events.poll_event().is_some() {}
-            self.draw(MEASURED_FRAME.as_secs_f32())?;
-            reel.push(size, &self.renderer.read_pixels(size))?;
-        }
-        Ok(reel.close()?)
-    }
-
-    /// Plays until a tick without showing anything.
-    fn go_to(&mut self, at: u64) -> Result<(), ShellError> {
-        let span = Duration::from_secs(1) / self.play.world.tick_rate();
-        while self.play.world.tick() < at {
-            self.notices.advance(span);
-            self.advance_front(span);
-            if !self.tick() {
-                let end = self.play.world.tick();
-                return Err(ShellError::Replay(format!(
-                    "--at {at}: the replay is over at tick {end}"
-                )));
-            }
-        }
-        self.clock.settle();
-        Ok(())
-    }
-
-    /// Takes the picture of a tick without waiting for it in real time.
-    ///
-    /// # Errors
-    /// OpenGL fails, the file cannot be written, or the replay is over before that tick.
-    pub fn screenshot(&mut self, file: &Path, at: u64) -> Result<(), ShellError> {
-        files::check_writable(file)?;
-        self.go_to(at)?;
-        let size = self.platform.pixels();
-        self.front.menu.advance(SETTLE_TIME);
-        for _ in 0..SETTLE_FRAMES {
-            // The window system wants its events taken, but none of them may pause the picture.
-            while self.platform.events.poll_event().is_some() {}
-            self.draw(SETTLE_TIME)?;
-        }
-        let pixels = self.renderer.read_pixels(size);
-        Ok(capture::write_png(file, size, &pixels)?)
-    }
-
     /// Everything that has happened since the last frame, right before the ticks that shall react to it.
     fn poll_events(&mut self) {
         // A field that has taken the keyboard since the last frame has taken the held keys as well.
@@ -336,6 +276,13 @@ impl App {
     fn hand_on(&mut self, event: &Event) {
         let typing = self.overlay.typing();
         let in_menu = self.front.is_open() && !typing;
+        let pressed = matches!(
+            event,
+            Event::KeyDown { repeat: false, .. } | Event::ControllerButtonDown { .. }
+        );
+        if pressed && !in_menu {
+            self.play.skip_fall();
+        }
         if in_menu {
             self.menu_event(event);
         }
@@ -384,26 +331,34 @@ impl App {
     }
 
     /// The ticks that are due. Asking for a restart ends a pause; the end of a replay begins one.
-    fn advance(&mut self, elapsed: Duration) {
+    pub(super) fn advance(&mut self, elapsed: Duration) {
         if self.paused && self.controls.wants_retry() {
             self.pause(false);
         }
         if self.paused {
             return;
         }
+        if self.play.is_falling() {
+            self.play.fall(elapsed.as_secs_f64() * self.speed());
+            return;
+        }
         let due = self.clock.advance(elapsed, self.speed());
         let begin = Instant::now();
         let events = self.play.events;
-        let done = (0..due).take_while(|_| self.tick()).count();
+        let mut done = 0;
+        while done < due && !self.play.is_falling() {
+            if !self.tick() {
+                self.pause(true);
+                break;
+            }
+            done += 1;
+        }
         if done > 0 {
             self.stats
                 .tick
                 .push(begin.elapsed().as_secs_f32() * 1e6 / done as f32);
             let count = self.play.events - events;
             self.stats.events.push(count as f32 / done as f32);
-        }
-        if done < due as usize {
-            self.pause(true);
         }
     }
 

@@ -17,6 +17,7 @@ pub mod capture;
 pub mod clock;
 mod contrast;
 pub mod edits;
+mod fall;
 pub mod front;
 mod games;
 pub mod hud;
@@ -36,6 +37,7 @@ pub mod reload;
 pub mod render;
 pub mod runs;
 pub mod settings;
+mod shots;
 mod sounds;
 pub mod text;
 

@@ -1,5 +1,6 @@
 //! A world being played: where its inputs come from, and what is remembered for the picture between two ticks.
 
+use super::fall::Fall;
 use super::puppet::Puppet;
 use crate::anim::{Rig, Shown};
 use crate::cli::summary::Summary;
@@ -30,6 +31,8 @@ pub struct Play {
     now: View,
     framing: Framing,
     puppet: Option<Puppet>,
+    /// The death that is being shown.
+    fall: Option<Fall>,
     camera: CameraState,
     pose_before: Pose,
     pose: Pose,
@@ -55,6 +58,7 @@ impl Play {
             now,
             framing,
             puppet: None,
+            fall: None,
             camera,
             pose_before: pose,
             pose,
@@ -89,6 +93,8 @@ impl Play {
             &mut self.pose,
             self.camera.pose(&self.framing, &tuning.camera),
         );
+        let bottom = self.world.stage().level.bottom;
+        self.fall = Fall::seen(&self.before, &self.now, self.pose_before, input, bottom);
         if self.now.is_cut_from(&self.before) {
             self.pose_before = self.pose;
             self.trail.clear();
@@ -101,8 +107,29 @@ impl Play {
         self.trail.drain(..surplus);
     }
 
+    /// Whether a death is being shown, for which the world waits.
+    pub fn is_falling(&self) -> bool {
+        self.fall.is_some()
+    }
+
+    /// Shows a death for some seconds more, if there is one.
+    pub fn fall(&mut self, seconds: f64) {
+        if let Some(fall) = &mut self.fall {
+            self.puppet.iter_mut().for_each(|p| p.fall(seconds));
+            if !fall.goes_on(seconds) {
+                self.fall = None;
+            }
+        }
+    }
+
+    /// Shows no more of a death.
+    pub fn skip_fall(&mut self) {
+        self.fall = None;
+    }
+
     /// Goes on in a changed level.
     pub fn replace_stage(&mut self, stage: Arc<Stage>) {
+        self.fall = None;
         self.world.replace_stage(stage);
         self.before = self.world.view();
         self.now = self.before;
@@ -117,7 +144,11 @@ impl Play {
 
     /// The hero's figure at a share (0 to 1) of the way from the last tick but one to the last.
     pub fn shown(&self, share: f64) -> Option<Shown> {
-        self.puppet.as_ref().map(|puppet| puppet.shown(share))
+        let puppet = self.puppet.as_ref()?;
+        match self.fall {
+            Some(_) => puppet.struck(),
+            None => Some(puppet.shown(share)),
+        }
     }
 
     /// The views before and after the last tick.
@@ -127,11 +158,17 @@ impl Play {
 
     /// The view at a share (0 to 1) of the way from the last tick but one to the last.
     pub fn view(&self, share: f64) -> View {
-        self.now.since(&self.before, share)
+        match &self.fall {
+            Some(fall) => fall.view,
+            None => self.now.since(&self.before, share),
+        }
     }
 
     /// Where the picture is taken from, at such a share; the tunables of the pose act at once, paused or not.
     pub fn pose(&self, share: f64, tuning: &Tuning) -> Pose {
+        if let Some(fall) = &self.fall {
+            return fall.pose;
+        }
         let settled = self.camera.pose(&self.framing, &tuning.camera);
         if settled == self.pose {
             self.pose.since(&self.pose_before, share)

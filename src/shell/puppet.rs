@@ -34,6 +34,8 @@ pub struct Puppet {
     sights: Sights,
     figure: Figure,
     before: Shown,
+    /// The figure that died last, where that was.
+    struck: Option<Figure>,
 }
 
 impl Puppet {
@@ -48,6 +50,7 @@ impl Puppet {
             before: *figure.shown(),
             soles,
             figure,
+            struck: None,
         }
     }
 
@@ -58,11 +61,26 @@ impl Puppet {
         let moves = view.moves(look, sight);
         let deaths = self.figure.moves().deaths;
         self.before = *self.figure.shown();
+        if deaths != view.deaths {
+            self.struck = Some(self.figure);
+            self.struck.iter_mut().for_each(|f| f.strike(&self.rig));
+        }
         self.figure.advance(&moves, &self.rig, &self.soles);
         let far = self.before.foot.distance(view.position) > 2.0;
         if deaths != view.deaths || far {
             self.before = *self.figure.shown();
         }
+    }
+
+    /// Lets the figure that died last go down for so many seconds more.
+    pub fn fall(&mut self, seconds: f64) {
+        let struck = self.struck.iter_mut();
+        struck.for_each(|figure| figure.fall(seconds, &self.rig, &self.soles));
+    }
+
+    /// The figure that died last.
+    pub fn struck(&self) -> Option<Shown> {
+        self.struck.map(|figure| *figure.shown())
     }
 
     /// The figure at a share (0 to 1) of the way from the last tick but one to the last.

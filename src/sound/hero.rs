@@ -39,7 +39,7 @@ const RUSH: (f64, f64) = (11.0, 34.0);
 /// Every so many steps the lantern's handle is heard.
 const SWING: u32 = 7;
 /// How long after a death the hero's return is heard, s.
-const RETURN: f64 = 0.22;
+const RETURN: f64 = 0.34;
 /// Depth above the level's bottom at which who dies has fallen into water, m.
 const DROWNS: f64 = 3.0;
 /// How far to the side the hero's own sounds are panned: he is where one looks.

@@ -1,13 +1,13 @@
 //! Which movement follows which event, when it begins, and that no change of it is a jump.
 
 use super::{RIG, Slope, running};
-use edgewalker::anim::{Act, Figure, Kind, Leap, Moves, Shown, Support, angle_between};
+use edgewalker::anim::{Act, Bone, Figure, Kind, Leap, Moves, Shown, Support, angle_between};
 use glam::{DVec2, Vec2};
 
 const TICK: f64 = 1.0 / 120.0;
-/// The most that a bone may turn in a tick, in radians, and one of a leg: a knee is fast in a run of 8 m/s.
-const LARGEST_TURN: f32 = 0.6;
-const LARGEST_KICK: f32 = 1.6;
+/// The most that a bone may turn in a tick, in radians, and one of a leg: a thigh is fast in a run of 8 m/s.
+const LARGEST_TURN: f32 = 0.45;
+const LARGEST_KICK: f32 = 0.49;
 
 fn falling(time: f64) -> Moves {
     Moves {
@@ -286,4 +286,39 @@ fn squash_and_stretch_are_subtle() {
         let volume = figure.shown().stand().determinant();
         assert!((volume - 1.0).abs() < 1e-4, "tick {tick}: {volume}");
     }
+}
+
+#[test]
+fn who_is_struck_goes_down_where_he_is() {
+    let mut figure = Figure::new(&running(8.0, 0.0, 0.0), &RIG, &Slope(0.0));
+    for tick in 1..60 {
+        figure.advance(
+            &running(8.0, 0.0, f64::from(tick) * TICK),
+            &RIG,
+            &Slope(0.0),
+        );
+    }
+    let place = figure.shown().foot;
+    let height = |figure: &Figure| super::at(figure.shown(), Bone::Head).y - place.y;
+    let before = height(&figure);
+    figure.strike(&RIG);
+    let mut was = *figure.shown();
+    for _ in 0..48 {
+        figure.fall(TICK, &RIG, &Slope(0.0));
+        let now = *figure.shown();
+        let hips = RIG.bone(Bone::Hips);
+        let turn = angle_between(was.pose.bones[hips].turn, now.pose.bones[hips].turn);
+        assert!(
+            turn < LARGEST_TURN && now.foot == place,
+            "{turn}, {}",
+            now.foot
+        );
+        was = now;
+    }
+    assert_eq!(figure.state().kind, Kind::Die);
+    assert!(
+        height(&figure) < 0.75 * before,
+        "{before} to {}",
+        height(&figure)
+    );
 }

@@ -136,3 +136,51 @@ pub fn a_controller_comes_and_goes(_: &Path) {
         "a controller that is gone holds nothing"
     );
 }
+
+/// Frames until the world goes on after a death.
+fn frames_of_a_death(app: &mut App) -> u32 {
+    let deaths = app.play.world.view().deaths;
+    while app.play.world.view().deaths == deaths {
+        frames(app, 1);
+    }
+    let died = app.play.world.tick();
+    let waited = (0..100).take_while(|_| {
+        frames(app, 1);
+        app.play.world.tick() == died
+    });
+    waited.count() as u32
+}
+
+/// He is seen going down for a moment. No time passes meanwhile, though a key is held, and pressing one ends it.
+pub fn a_death_is_seen_and_a_key_goes_on(folder: &Path) {
+    let thorns = fs::read_to_string(FLAT).unwrap().replace(
+        "    features: [",
+        "    features: [(id: \"thorns\", kind: Hazard, outline: [(2, 0), (3, 0), (3, 1), (2, 1)]),",
+    );
+    let level = folder.join("thorns.ron");
+    fs::write(&level, thorns).unwrap();
+    let mut app = open(&options(level.to_str().unwrap()));
+    key(&app, Scancode::D, true);
+    let seconds = frames_of_a_death(&mut app) as f32 / 60.0;
+    assert!((0.25..0.4).contains(&seconds), "{seconds} s");
+    // The next one is cut short: the press counts, too.
+    let deaths = app.play.world.view().deaths;
+    while app.play.world.view().deaths == deaths {
+        frames(&mut app, 1);
+    }
+    assert!(app.play.is_falling());
+    frames(&mut app, 3);
+    assert!(app.play.is_falling());
+    key(&app, Scancode::Space, true);
+    frames(&mut app, 2);
+    assert!(!app.play.is_falling());
+    assert_eq!(
+        app.play.world.view().stance,
+        Stance::Air,
+        "he jumps at once"
+    );
+    // Who asks to come back waits for nothing.
+    key(&app, Scancode::R, true);
+    frames(&mut app, 1);
+    assert!(app.play.world.view().deaths == deaths + 2 && !app.play.is_falling());
+}

@@ -33,6 +33,10 @@ const TESTS: &[Test] = &[
     ("pause, step, speed", devices::pause_step_speed),
     ("a fall is told", devices::a_fall_is_told),
     (
+        "a death is seen, and a key goes on",
+        devices::a_death_is_seen_and_a_key_goes_on,
+    ),
+    (
         "the overlay opens, and a tunable acts",
         tools::a_tunable_acts,
     ),
