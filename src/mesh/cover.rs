@@ -7,16 +7,14 @@
 
 use super::FeatureId;
 use super::buckets::CellHasher;
-use super::topology::{OUTSIDE, Quarter, Topology, sym};
+use super::regions::Regions;
+use super::short::Short;
+use super::topology::{NONE, OUTSIDE, Quarter, Topology, sym};
 use std::collections::{BTreeSet, HashMap};
-use std::hash::BuildHasherDefault;
-use std::sync::Arc;
+use std::hash::{BuildHasherDefault, Hash, Hasher};
 
 /// How often each feature winds around a place; ascending by feature, no zeros.
 pub type Windings = Vec<(FeatureId, i32)>;
-
-/// The same as a cover and its index keep them.
-type Shared = Arc<[(FeatureId, i32)]>;
 
 /// Number of an interned cover.
 type CoverId = u32;
@@ -26,14 +24,20 @@ const EMPTY: CoverId = 0;
 /// The face is new and its cover not known yet.
 const UNKNOWN: CoverId = u32::MAX;
 
+/// How often the borders of regions are gone through. What is then unknown, as may be where many lie in one another, is found
+/// by walking.
+const PASSES: usize = 4;
+
 #[derive(Clone, Debug)]
 struct Cover {
-    windings: Shared,
-    features: Vec<FeatureId>,
+    windings: Short<(FeatureId, i32), 3>,
+    features: Short<FeatureId, 4>,
     /// Whether one of the features is a solid.
     solid: bool,
     /// How many faces have it.
     faces: u32,
+    /// Another cover with the same hash.
+    next: CoverId,
 }
 
 /// Covers of all faces.
@@ -42,7 +46,8 @@ pub struct Covers {
     interned: Vec<Cover>,
     /// Numbers that can be given away.
     vacant: Vec<CoverId>,
-    ids: HashMap<Shared, CoverId, BuildHasherDefault<CellHasher>>,
+    /// By the hash of its windings the first of the covers that have it.
+    ids: HashMap<u64, CoverId, BuildHasherDefault<CellHasher>>,
     of_face: Vec<CoverId>,
     /// Per face: whether a body is stopped by it. The outside stops bodies though nothing covers it.
     solid: Vec<bool>,
@@ -52,6 +57,8 @@ pub struct Covers {
     sum: Option<Sum>,
     /// Scratch for a cover that is not interned yet.
     scratch: Windings,
+    /// Scratch for the features that it has.
+    inside: Vec<FeatureId>,
 }
 
 /// A cover, so many windings of a feature more, and the cover that this makes. Both are in use.
@@ -66,14 +73,14 @@ struct Sum {
 impl Covers {
     /// Nothing is covered.
     pub fn new() -> Self {
-        let nothing: Shared = Arc::new([]);
         let empty = Cover {
-            windings: Arc::clone(&nothing),
-            features: Vec::new(),
+            windings: Short::default(),
+            features: Short::default(),
             solid: false,
             faces: 1,
+            next: NONE,
         };
-        let ids = std::iter::once((nothing, EMPTY)).collect();
+        let ids = std::iter::once((hash_of(&[]), EMPTY)).collect();
         Covers {
             interned: vec![empty],
             vacant: Vec::new(),
@@ -83,6 +90,7 @@ impl Covers {
             regions: BTreeSet::new(),
             sum: None,
             scratch: Windings::new(),
+            inside: Vec::new(),
         }
     }
 
@@ -118,17 +126,24 @@ impl Covers {
 
     /// The number of a cover. It is to be given to a face next, or else stays for good.
     fn intern(&mut self, windings: &[(FeatureId, i32)]) -> CoverId {
-        if let Some(&id) = self.ids.get(windings) {
-            return id;
+        let hash = hash_of(windings);
+        let first = self.ids.get(&hash).copied().unwrap_or(NONE);
+        let mut at = first;
+        while let Some(cover) = self.interned.get(at as usize) {
+            if *cover.windings == *windings {
+                return at;
+            }
+            at = cover.next;
         }
         let inside = windings.iter().filter(|w| w.1 > 0).map(|w| w.0);
-        let features: Vec<FeatureId> = inside.collect();
-        let windings: Shared = windings.into();
+        self.inside.clear();
+        self.inside.extend(inside);
         let cover = Cover {
-            windings: Arc::clone(&windings),
-            solid: features.iter().any(|f| !self.regions.contains(f)),
-            features,
+            windings: windings.into(),
+            features: self.inside.as_slice().into(),
+            solid: self.inside.iter().any(|f| !self.regions.contains(f)),
             faces: 0,
+            next: first,
         };
         let id = match self.vacant.pop() {
             Some(id) => {
@@ -140,8 +155,28 @@ impl Covers {
                 self.interned.len() as CoverId - 1
             }
         };
-        self.ids.insert(windings, id);
+        self.ids.insert(hash, id);
         id
+    }
+
+    /// Lets the number of a cover that no face has be given away.
+    fn drop_cover(&mut self, id: CoverId) {
+        let Cover { windings, next, .. } = &self.interned[id as usize];
+        let (hash, next) = (hash_of(windings), *next);
+        let first = self.ids.get(&hash).copied().unwrap_or(NONE);
+        if first != id {
+            let mut before = first as usize;
+            while self.interned[before].next != id {
+                before = self.interned[before].next as usize;
+            }
+            self.interned[before].next = next;
+        } else if next == NONE {
+            self.ids.remove(&hash);
+        } else {
+            self.ids.insert(hash, next);
+        }
+        self.vacant.push(id);
+        self.sum = self.sum.filter(|sum| sum.from != id && sum.to != id);
     }
 
     /// Gives a cover to a face.
@@ -160,9 +195,7 @@ impl Covers {
         };
         cover.faces -= 1;
         if cover.faces == 0 && id != EMPTY {
-            self.ids.remove(&cover.windings);
-            self.vacant.push(id);
-            self.sum = self.sum.filter(|sum| sum.from != id && sum.to != id);
+            self.drop_cover(id);
         }
     }
 
@@ -178,15 +211,14 @@ impl Covers {
         is_free: &impl Fn(Quarter) -> bool,
         gain: &impl Fn(Quarter, &mut Windings),
     ) {
-        self.of_face.resize(t.face_count(), UNKNOWN);
-        self.solid.resize(t.face_count(), false);
+        self.make_room(t);
         for &face in new {
             self.forget(face);
         }
-        let (mut inner, mut border) = (Vec::with_capacity(64), Vec::new());
         let mut scratch = std::mem::take(&mut self.scratch);
         // First from face to face as they lie in memory, each with what no edge parts from it; then, wherever that found nothing
         // to begin with, on across the borders.
+        let (mut inner, mut border) = (Vec::with_capacity(64), Vec::new());
         for across in [false, true] {
             for &face in new {
                 if self.of_face[face as usize] != UNKNOWN || !t.is_face(face) {
@@ -198,7 +230,9 @@ impl Covers {
                     if self.of_face[t.left(e) as usize] != UNKNOWN {
                         continue;
                     }
-                    self.enter(t, e, &mut scratch, gain);
+                    let from = self.of_face[t.left(sym(e)) as usize];
+                    let cover = self.beyond(e, from, &mut scratch, gain);
+                    self.set(t.left(e), cover);
                     for beyond in [t.lnext(e), t.lprev(e)].map(sym) {
                         if is_free(beyond) {
                             inner.push(beyond);
@@ -212,23 +246,72 @@ impl Covers {
         self.scratch = scratch;
     }
 
-    /// Sets the cover of the face left of an edge from that of the face on its right.
-    fn enter(
+    /// The same for all faces of a mesh that was made at once: region by region, and the borders between them as they lie in
+    /// memory, forth and back.
+    pub fn spread_first(
         &mut self,
         t: &Topology,
-        e: Quarter,
-        scratch: &mut Windings,
+        is_free: &impl Fn(Quarter) -> bool,
         gain: &impl Fn(Quarter, &mut Windings),
     ) {
-        let mut cover = self.of_face[t.left(sym(e)) as usize];
+        self.make_room(t);
+        for face in t.faces() {
+            self.forget(face);
+        }
+        let Regions {
+            of_face,
+            mut borders,
+        } = Regions::of(t, is_free);
+        let mut scratch = std::mem::take(&mut self.scratch);
+        for _ in 0..PASSES {
+            borders.retain(|&border| {
+                let known = |region: u32| self.of_face[region as usize] != UNKNOWN;
+                let border = match (known(border.left), known(border.right)) {
+                    (false, true) => border,
+                    (true, false) => border.turned(),
+                    (left, right) => return !left && !right,
+                };
+                let from = self.of_face[border.right as usize];
+                let cover = self.beyond(border.edge, from, &mut scratch, gain);
+                self.set(border.left, cover);
+                false
+            });
+            borders.reverse();
+        }
+        self.scratch = scratch;
+        let mut unknown = Vec::new();
+        for face in t.faces() {
+            match self.of_face[of_face[face as usize] as usize] {
+                UNKNOWN => unknown.push(face),
+                cover if of_face[face as usize] != face => self.set(face, cover),
+                _ => {}
+            }
+        }
+        self.spread(t, &unknown, is_free, gain);
+    }
+
+    /// Makes room for the covers of all faces.
+    fn make_room(&mut self, t: &Topology) {
+        self.of_face.resize(t.face_count(), UNKNOWN);
+        self.solid.resize(t.face_count(), false);
+    }
+
+    /// The cover left of an edge, given that on its right.
+    fn beyond(
+        &mut self,
+        e: Quarter,
+        from: CoverId,
+        scratch: &mut Windings,
+        gain: &impl Fn(Quarter, &mut Windings),
+    ) -> CoverId {
         scratch.clear();
         gain(e, scratch);
-        if !scratch.is_empty() {
-            scratch.extend_from_slice(&self.interned[cover as usize].windings);
-            merge(scratch);
-            cover = self.intern(scratch);
+        if scratch.is_empty() {
+            return from;
         }
-        self.set(t.left(e), cover);
+        scratch.extend_from_slice(&self.interned[from as usize].windings);
+        merge(scratch);
+        self.intern(scratch)
     }
 
     /// Adds to the winding of one feature around a face.
@@ -272,10 +355,12 @@ impl Covers {
             }
         }
         let in_use = counts.iter().filter(|&&count| count > 0).count();
-        if in_use + self.vacant.len() != counts.len() || in_use != self.ids.len() {
+        let next = |&id: &CoverId| Some(self.interned[id as usize].next).filter(|&id| id != NONE);
+        let found = |&first: &CoverId| std::iter::successors(Some(first), next).count();
+        let listed: usize = self.ids.values().map(found).sum();
+        if in_use + self.vacant.len() != counts.len() || in_use != listed {
             return Err(format!(
-                "{in_use} covers in use, {} of them found by their windings, {} of {} vacant",
-                self.ids.len(),
+                "{in_use} covers in use, {listed} of them found by their windings, {} of {} vacant",
                 self.vacant.len(),
                 counts.len()
             ));
@@ -290,6 +375,13 @@ impl Covers {
             .binary_search_by_key(&feature, |w| w.0)
             .map_or(0, |i| windings[i].1)
     }
+}
+
+/// A hash of windings; others may have the same.
+fn hash_of(windings: &[(FeatureId, i32)]) -> u64 {
+    let mut hasher = CellHasher::default();
+    windings.hash(&mut hasher);
+    hasher.finish()
 }
 
 /// Sorts by feature and adds up what belongs to the same one.

@@ -6,34 +6,38 @@
 
 use super::cover::Windings;
 use super::topology::{Quarter, sym};
-use super::uses::Uses;
-use super::{FeatureId, Mesh, Segment};
+use super::{FeatureId, Mesh};
 
 impl Mesh {
     /// By how much more each feature winds around the left of an edge than around its right.
     pub(super) fn gain(&self, e: Quarter, gains: &mut Windings) {
-        gain(&self.uses, &self.segments, &self.winds, e, gains);
+        gains.extend(self.uses.gains(e));
     }
 
     /// By how much more one feature winds around the left of an edge than around its right.
     fn gain_of(&self, feature: FeatureId, e: Quarter) -> i32 {
-        let along = |forward: bool| if forward { 1 } else { -1 };
-        self.uses
-            .of(e)
-            .filter(|u| self.segments[u.segment.index()].feature == feature)
-            .map(|u| along(u.forward))
-            .sum()
+        let own = self.uses.gains(e).filter(|g| g.0 == feature);
+        own.map(|g| g.1).sum()
+    }
+
+    /// Gives all faces of a mesh that was built at once their covers.
+    pub(super) fn spread_first(&mut self) {
+        let topology = &mut self.triangulation.topology;
+        topology.take_touched(&mut self.rewired);
+        let uses = &self.uses;
+        let is_free = |e: Quarter| uses.is_empty(e);
+        let gain = |e, gains: &mut Windings| gains.extend(uses.gains(e));
+        self.covers.spread_first(topology, &is_free, &gain);
     }
 
     /// Gives new faces their covers, leaving one feature out of account.
     pub(super) fn spread(&mut self, without: Option<FeatureId>) {
         let topology = &mut self.triangulation.topology;
         topology.take_touched(&mut self.rewired);
-        let (uses, segments, winds) = (&self.uses, &self.segments, &self.winds);
+        let uses = &self.uses;
         let is_free = |e: Quarter| uses.is_empty(e);
         let others = |e, gains: &mut Windings| {
-            gain(uses, segments, winds, e, gains);
-            gains.retain(|g| Some(g.0) != without);
+            gains.extend(uses.gains(e).filter(|g| Some(g.0) != without));
         };
         self.covers
             .spread(topology, &self.rewired, &is_free, &others);
@@ -113,13 +117,5 @@ impl Mesh {
                 stack.extend(t.sides(face).map(|e| t.left(sym(e))));
             }
         }
-    }
-}
-
-/// By how much more each feature that winds at all does so around the left of an edge than around its right.
-fn gain(uses: &Uses, segments: &[Segment], winds: &[bool], e: Quarter, gains: &mut Windings) {
-    for u in uses.of(e).filter(|u| winds[u.segment.index()]) {
-        let feature = segments[u.segment.index()].feature;
-        gains.push((feature, if u.forward { 1 } else { -1 }));
     }
 }

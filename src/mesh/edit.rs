@@ -9,7 +9,7 @@ use super::hilbert::hilbert;
 use super::snap::{Arrangement, Diff};
 use super::topology::Quarter;
 use super::triangulation::{CORNERS, EDGE_OF_WORLD, Triangulation};
-use super::uses::Uses;
+use super::uses::{Owner, Uses};
 use super::{Feature, FeatureId, Kind, Mesh, MeshError, Segment, SegmentId, VertexId};
 use crate::geom::{ExpandedEdge, Point};
 use std::collections::{BTreeMap, BTreeSet};
@@ -19,6 +19,10 @@ const DEFAULT_SHIFT: u32 = 16;
 
 /// Binary logarithm of the smallest cell size, 4 mm: a segment right across the world then still has few cells.
 const MIN_SHIFT: u32 = 8;
+
+/// Before all others go in the first vertices of every so many-th segment: with some vertices all over the place the others
+/// find short ways to where they belong, and few edges to flip.
+const SAMPLES: [usize; 2] = [64, 8];
 
 /// A feature on its way into the mesh.
 #[derive(Clone, Copy)]
@@ -69,7 +73,7 @@ impl Mesh {
         batch.sort_by_cached_key(|entry| entry.edges.first().map(|e| hilbert(e.a)));
         let mut mesh = Mesh::empty(usual_shift(&batch));
         mesh.put(&batch);
-        mesh.spread(None);
+        mesh.spread_first();
         Ok(mesh)
     }
 
@@ -87,7 +91,7 @@ impl Mesh {
             rewired: Vec::new(),
             buried: 0,
         };
-        mesh.spread(None);
+        mesh.spread_first();
         mesh
     }
 
@@ -209,27 +213,51 @@ impl Mesh {
             self.triangulation.delete(v.0);
         }
         self.triangulation.legalise();
-        let points = self.arrangement.points();
-        // In the order in which they were found, neighbours in the list are mostly neighbours in the plane.
-        let born = diff.born.as_slice();
-        if let Some(v) = born.first().and_then(|&first| self.neighbour(first)) {
+        self.triangulation.reserve(diff.born.len());
+        let first = diff.born.first();
+        if let Some(v) = first.and_then(|&first| self.neighbour(first)) {
             self.triangulation.start_at(v.0);
         }
-        self.triangulation.reserve(born.len());
-        for &v in born {
-            self.triangulation.insert(v.0, points[v.index()]);
-        }
-        let rerouted = diff.rerouted.iter().map(|r| (r.segment, &*r.new));
-        let added = diff.added.iter().map(|&s| (s, self.arrangement.chain(s)));
-        for (segment, chain) in rerouted.chain(added) {
-            for pair in chain.windows(2) {
-                let e = self.triangulation.enforce(pair[0].0, pair[1].0);
-                self.triangulation.fix(e);
-                let front = self.kinds[segment.index()].has_fronts();
-                self.uses.add(e, segment, front, &self.segments);
+        for step in SAMPLES {
+            for &segment in diff.added.iter().step_by(step) {
+                self.settle(self.arrangement.chain(segment)[0]);
             }
         }
-        self.triangulation.legalise();
+        // Every other new vertex is on an added chain, too: its place is found from the vertex before.
+        for &segment in &diff.added {
+            self.lay(segment, None);
+        }
+        for route in &diff.rerouted {
+            self.lay(route.segment, Some(&route.new));
+        }
+    }
+
+    /// Puts a chain into the triangulation, or the stretch of it that is not there.
+    fn lay(&mut self, segment: SegmentId, stretch: Option<&[VertexId]>) {
+        let owner = Owner {
+            feature: self.segments[segment.index()].feature,
+            has_fronts: self.kinds[segment.index()].has_fronts(),
+            winds: self.winds[segment.index()],
+        };
+        let count = stretch.map_or_else(|| self.arrangement.chain(segment).len(), <[_]>::len);
+        let at = |mesh: &Mesh, i: usize| stretch.unwrap_or(mesh.arrangement.chain(segment))[i];
+        for i in 0..count {
+            let v = at(self, i);
+            self.settle(v);
+            if i > 0 {
+                let e = self.triangulation.enforce(at(self, i - 1).0, v.0);
+                self.uses.add(e, segment, owner, &self.segments);
+            }
+        }
+    }
+
+    /// Inserts a vertex into the triangulation, if it is not there, and lets the next one look for its place from there.
+    fn settle(&mut self, v: VertexId) {
+        if !self.triangulation.topology.has_vertex(v.0) {
+            let point = self.arrangement.points()[v.index()];
+            self.triangulation.insert(v.0, point);
+        }
+        self.triangulation.start_at(v.0);
     }
 
     /// A vertex of the triangulation near one that is not in it yet: a short way to where it belongs, however large the mesh.

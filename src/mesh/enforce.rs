@@ -23,13 +23,19 @@ struct Channel {
 }
 
 impl Triangulation {
-    /// The edge between two vertices, made if it is not there. Call [`Self::legalise`] when all is done.
+    /// Fixes the edge between two vertices of a legal triangulation, which is made if it is not there.
     ///
     /// All edges that cross it must be free, and no vertex may lie on it.
     pub fn enforce(&mut self, v: u32, w: u32) -> Quarter {
-        if let Some(e) = self.topology.edge_between(v, w) {
-            return e;
-        }
+        let there = self.topology.edge_between(w, v).map(sym);
+        let e = there.unwrap_or_else(|| self.make_way(v, w));
+        self.fix(e);
+        self.legalise();
+        e
+    }
+
+    /// Makes the edge between two vertices that no edge joins.
+    fn make_way(&mut self, v: u32, w: u32) -> Quarter {
         let mut channel = self.channel(v, w);
         channel.left.reverse();
         let fixed = channel.edges.iter().any(|&e| self.is_fixed(e));

@@ -16,7 +16,6 @@
 
 mod buckets;
 mod cast;
-mod chain;
 mod check;
 mod cover;
 mod covering;
@@ -25,6 +24,8 @@ mod enforce;
 mod hash;
 mod hilbert;
 mod query;
+mod regions;
+mod short;
 mod snap;
 mod surfaces;
 mod sweep;
@@ -78,7 +79,9 @@ pub struct EdgeId(pub u32);
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 pub struct FaceId(pub u32);
 /// A mesh vertex.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[derive(
+    Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize,
+)]
 pub struct VertexId(pub u32);
 /// A feature edge: one edge of one expanded outline, as it was before anything cut it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
@@ -196,7 +199,7 @@ pub struct Mesh {
     segments: Vec<Segment>,
     /// Per segment: the kind of its feature.
     kinds: Vec<Kind>,
-    /// Per segment: whether its feature covers what it winds around, so that crossing it changes the cover.
+    /// Per segment: whether its feature covers what it winds around.
     winds: Vec<bool>,
     features: BTreeMap<FeatureId, Feature>,
     /// Faces that the last edit made, changed or removed.

@@ -9,10 +9,13 @@
 //! segment whose chain changes because of that.
 
 use super::buckets::Buckets;
-use super::chain::Chain;
+use super::short::Short;
 use super::{SegmentId, VertexId};
 use crate::geom::Point;
 use crate::geom::predicates::{crosses, crossing_pixel, meets_pixel};
+
+/// The vertices of a chain; most chains have few.
+pub type Chain = Short<VertexId, 6>;
 
 /// Ends and chain of one original segment.
 #[derive(Clone, Debug)]
@@ -111,7 +114,7 @@ impl Arrangement {
     pub fn edit(&mut self, add: &[(Point, Point)], remove: &[SegmentId]) -> Diff {
         let mut diff = Diff::default();
         for &segment in remove {
-            let (old, new) = (self.unregister(segment), Chain::EMPTY);
+            let (old, new) = (self.unregister(segment), Chain::default());
             diff.rerouted.push(Reroute { segment, old, new });
         }
         let survivors = self.originals.len() > self.free_segments.len() + remove.len();
@@ -151,7 +154,7 @@ impl Arrangement {
         let original = Original {
             a,
             b,
-            chain: Chain::EMPTY,
+            chain: Chain::default(),
         };
         match self.originals.get_mut(segment.index()) {
             Some(free) => *free = original,

@@ -4,7 +4,7 @@
 //! the set of features and not of how the mesh came about.
 
 use super::topology::{NONE, Quarter};
-use super::{Segment, SegmentId, Use};
+use super::{FeatureId, Segment, SegmentId, Use};
 
 /// Lists of uses by edge record.
 #[derive(Clone, Debug, Default)]
@@ -24,11 +24,21 @@ struct EdgeUses {
     fronts: [bool; 2],
 }
 
+/// What a segment is part of, as far as those ask who cross it.
+#[derive(Clone, Copy, Debug)]
+pub struct Owner {
+    /// The feature.
+    pub feature: FeatureId,
+    /// Whether its edges have fronts.
+    pub has_fronts: bool,
+    /// Whether it covers what it winds around, so that crossing the segment changes the cover.
+    pub winds: bool,
+}
+
 #[derive(Clone, Copy, Debug)]
 struct Link {
     segment: SegmentId,
-    /// Whether it belongs to a one-way.
-    one_way: bool,
+    owner: Owner,
     /// Direction relative to the quarter-edge with r = 0.
     forward: bool,
     next: u32,
@@ -53,20 +63,35 @@ impl Uses {
 
     /// The uses of an edge, by feature, source and ends, with directions relative to `e`.
     pub fn of(&self, e: Quarter) -> impl Iterator<Item = Use> + '_ {
-        let mut at = self.head(e);
         let along = e & 2 == 0;
-        std::iter::from_fn(move || {
-            let link = self.links.get(at as usize)?;
-            at = link.next;
-            Some(Use {
-                segment: link.segment,
-                forward: link.forward == along,
-            })
+        self.links(e).map(move |link| Use {
+            segment: link.segment,
+            forward: link.forward == along,
         })
     }
 
-    /// Adds a use of an edge by a segment, of a one-way or not, that runs in the direction of `e`.
-    pub fn add(&mut self, e: Quarter, segment: SegmentId, one_way: bool, segments: &[Segment]) {
+    /// By how much more the features that run along an edge wind around its left than around its right: one entry for each
+    /// use by a feature that winds at all.
+    pub fn gains(&self, e: Quarter) -> impl Iterator<Item = (FeatureId, i32)> + '_ {
+        let along = e & 2 == 0;
+        let winding = self.links(e).filter(|link| link.owner.winds);
+        winding.map(move |link| {
+            let gain = if link.forward == along { 1 } else { -1 };
+            (link.owner.feature, gain)
+        })
+    }
+
+    fn links(&self, e: Quarter) -> impl Iterator<Item = &Link> + '_ {
+        let mut at = self.head(e);
+        std::iter::from_fn(move || {
+            let link = self.links.get(at as usize)?;
+            at = link.next;
+            Some(link)
+        })
+    }
+
+    /// Adds a use of an edge by a segment that runs in the direction of `e`.
+    pub fn add(&mut self, e: Quarter, segment: SegmentId, owner: Owner, segments: &[Segment]) {
         if self.edges.len() <= (e >> 2) as usize {
             let unused = EdgeUses {
                 head: NONE,
@@ -81,7 +106,7 @@ impl Uses {
         }
         let link = Link {
             segment,
-            one_way,
+            owner,
             forward: e & 2 == 0,
             next: at,
         };
@@ -115,7 +140,7 @@ impl Uses {
         let mut fronts = [false; 2];
         let mut at = self.head(e);
         while let Some(link) = self.links.get(at as usize) {
-            fronts[usize::from(link.forward)] |= link.one_way;
+            fronts[usize::from(link.forward)] |= link.owner.has_fronts;
             at = link.next;
         }
         self.edges[(e >> 2) as usize].fronts = fronts;
@@ -155,12 +180,20 @@ mod tests {
             let mut uses = Uses::default();
             for s in order {
                 // The one of feature 3 runs against the others.
-                uses.add(if s == 1 { 10 } else { 8 }, SegmentId(s), s == 1, &segments);
+                let owner = Owner {
+                    feature: segments[s as usize].feature,
+                    has_fronts: s == 1,
+                    winds: s != 1,
+                };
+                uses.add(if s == 1 { 10 } else { 8 }, SegmentId(s), owner, &segments);
             }
             assert_eq!(ids(&uses, 8), [(1, false), (2, true), (0, true)]);
             assert_eq!(ids(&uses, 10), [(1, true), (2, false), (0, false)]);
             // And it is a one-way: its front is on its right.
             assert!(uses.has_front(8) && !uses.has_front(10));
+            // It does not wind, and the others do.
+            assert_eq!(uses.gains(8).collect::<Vec<_>>(), [(5, 1), (7, 1)]);
+            assert_eq!(uses.gains(10).collect::<Vec<_>>(), [(5, -1), (7, -1)]);
             uses.remove(8, SegmentId(2));
             assert_eq!(ids(&uses, 8), [(1, false), (0, true)]);
             uses.remove(8, SegmentId(1));
