@@ -11,6 +11,7 @@ use super::notices::{Notices, Topic};
 use super::overlay::Overlay;
 use super::overlay::scene::MeshPicture;
 use super::overlay::stats::Stats;
+use super::picture::Sketch;
 use super::platform::Platform;
 use super::play::Play;
 use super::reload::{Timer, Watch};
@@ -70,6 +71,7 @@ pub struct App {
     pub(super) stats: Stats,
     pub(super) mesh_pictures: [MeshPicture; 2], // of the standing and of the crouched hero
     pub(super) renderer: Renderer,
+    pub(super) sketch: Sketch,
     pub(super) text: Text,
     pub(super) text_pass: Pass,
     pub(super) rig: Arc<Rig>,
@@ -127,6 +129,7 @@ impl App {
             stats: Stats::default(),
             mesh_pictures: Default::default(),
             renderer,
+            sketch: Sketch::default(),
             text: Text::new()?,
             text_pass,
             focused: true,

@@ -15,20 +15,38 @@ const WIDTH: f32 = 0.005;
 const BEFORE: f32 = 0.2;
 
 /// Adds the outlines of a moment to the lines of a picture of this height in pixels; `offsets` is how far each mover is
-/// from where it was drawn.
-pub fn outline(level: &Level, view: &View, offsets: &[DVec2], height: u32, lines: &mut Vec<Line>) {
+/// from where it was drawn, `hero` the hero's shape.
+pub fn outline(
+    level: &Level,
+    (view, hero): (&View, &Shape),
+    offsets: &[DVec2],
+    height: u32,
+    lines: &mut Vec<Line>,
+) {
     let width = height as f32 * WIDTH;
     for feature in hazards(&level.features) {
-        ring(&feature.outline, DVec2::ZERO, DANGER, width, lines);
+        ring(
+            feature.outline.iter().copied(),
+            DVec2::ZERO,
+            DANGER,
+            width,
+            lines,
+        );
     }
     for (mover, &offset) in level.movers.iter().zip(offsets) {
         for feature in hazards(&mover.features).chain(crushers(mover)) {
-            ring(&feature.outline, offset, DANGER, width, lines);
+            ring(
+                feature.outline.iter().copied(),
+                offset,
+                DANGER,
+                width,
+                lines,
+            );
         }
     }
-    let Shape { stand, crouch } = Shape::hero();
-    let body = corners(if view.crouched { &crouch } else { &stand });
-    ring(&body, view.position, HERO, width, lines);
+    let Shape { stand, crouch } = hero;
+    let body = if view.crouched { crouch } else { stand };
+    ring(corners(body), view.position, HERO, width, lines);
 }
 
 /// What kills whoever comes into it.
@@ -37,18 +55,21 @@ fn hazards(features: &[Feature]) -> impl Iterator<Item = &Feature> {
 }
 
 /// The corners of a body, in metres from its foot.
-fn corners(body: &Collider) -> Vec<DVec2> {
-    body.corners()
-        .iter()
-        .map(|corner| corner.metres())
-        .collect()
+fn corners(body: &Collider) -> impl ExactSizeIterator<Item = DVec2> + Clone + '_ {
+    body.corners().iter().map(|corner| corner.metres())
 }
 
 /// A closed line through some corners.
-fn ring(corners: &[DVec2], offset: DVec2, colour: [f32; 4], width: f32, lines: &mut Vec<Line>) {
-    let at = |corner: &DVec2| -> Vec3 { (*corner + offset).as_vec2().extend(BEFORE) };
-    let next = corners.iter().cycle().skip(1);
-    lines.extend(corners.iter().zip(next).map(|(a, b)| Line {
+fn ring(
+    corners: impl ExactSizeIterator<Item = DVec2> + Clone,
+    offset: DVec2,
+    colour: [f32; 4],
+    width: f32,
+    lines: &mut Vec<Line>,
+) {
+    let at = |corner: DVec2| -> Vec3 { (corner + offset).as_vec2().extend(BEFORE) };
+    let next = corners.clone().cycle().skip(1);
+    lines.extend(corners.zip(next).map(|(a, b)| Line {
         a: at(a),
         b: at(b),
         colour,
@@ -80,8 +101,9 @@ mod tests {
         let view = View::at(DVec2::new(-5.0, 0.0));
         let mut lines = Vec::new();
         let offsets = [DVec2::NEG_Y, DVec2::Y];
-        outline(&level, &view, &offsets, 720, &mut lines);
-        let hero = Shape::hero().stand.corners().len();
+        let shape = Shape::hero();
+        outline(&level, (&view, &shape), &offsets, 720, &mut lines);
+        let hero = shape.stand.corners().len();
         assert_eq!(lines.len(), 3 + 4 + hero);
         assert_eq!(lines[0].a, Vec3::new(3.0, 0.0, BEFORE));
         assert_eq!(

@@ -7,6 +7,8 @@ use super::notices::Notices;
 use super::settings::{Bindings, Deed};
 use super::text::{Face, Style, Symbol, Text};
 use crate::game::{View, World};
+use std::fmt::Write;
+use std::mem::take;
 
 /// Seconds of an area's name: until it is there, until it begins to go, until it is gone.
 const NAME: [f32; 3] = [0.9, 3.6, 5.0];
@@ -37,6 +39,17 @@ enum Word {
     Secret,
 }
 
+/// The keys or buttons of a prompt, and what they do.
+type Prompt = ([Option<Cap>; 2], &'static str);
+
+/// What the prompts show, made anew when a key is bound or another device is used.
+#[derive(Debug)]
+struct Prompts {
+    device: Device,
+    bindings: Bindings,
+    groups: [Prompt; 5],
+}
+
 /// What is shown, and since when.
 #[derive(Debug, Default)]
 pub struct Hud {
@@ -51,6 +64,9 @@ pub struct Hud {
     curtain: f32,
     /// How bright it still is after a death, 0 to 1.
     flash: f32,
+    prompts: Option<Prompts>,
+    /// Room to put words together in.
+    words: String,
 }
 
 /// What the display is drawn from.
@@ -80,6 +96,8 @@ impl Hud {
             curtain: self.curtain,
             flash: self.flash,
             deaths: self.deaths,
+            prompts: self.prompts.take(),
+            words: take(&mut self.words),
             ..Hud::default()
         };
     }
@@ -136,18 +154,16 @@ impl Hud {
     }
 
     /// Draws it on the text's page.
-    pub fn draw(&self, text: &mut Text, scene: &Scene) {
+    pub fn draw(&mut self, text: &mut Text, scene: &Scene) {
         let mut pen = Pen::new(text, scene);
+        self.words.clear();
         if let Some(held) = scene.held {
             pen.name(held, None, 1.0);
         } else if let Some(won) = scene.view.won_at {
             let age = (scene.view.time - won) as f32;
-            let figures = format!(
-                "{}   deaths {}",
-                clock(scene.view.run_time()),
-                scene.view.deaths
-            );
-            pen.name("Goal reached", Some(&figures), age.clamp(0.0, 1.0));
+            let (time, deaths) = (clock(scene.view.run_time()), scene.view.deaths);
+            let _ = write!(self.words, "{time}   deaths {deaths}"); // a String takes everything
+            pen.name("Goal reached", Some(&self.words), age.clamp(0.0, 1.0));
         } else {
             self.place(&mut pen);
         }
@@ -175,7 +191,7 @@ impl Hud {
         }
     }
 
-    fn place(&self, pen: &mut Pen) {
+    fn place(&mut self, pen: &mut Pen) {
         let opacity = shown(self.named, NAME);
         if opacity > 0.0 {
             let level = &pen.scene.world.stage().level;
@@ -188,11 +204,41 @@ impl Hud {
             let of = pen.scene.world.stage().secret_count();
             match word {
                 Word::Checkpoint => pen.word("Checkpoint", shown(age, WORD)),
-                Word::Secret => pen.word(&format!("Secret {found} of {of}"), shown(age, WORD)),
+                Word::Secret => {
+                    let _ = write!(self.words, "Secret {found} of {of}"); // a String takes everything
+                    pen.word(&self.words, shown(age, WORD));
+                }
             }
         }
         if !pen.scene.is_shown_only {
-            pen.prompts(shown(self.begun, PROMPTS));
+            let (device, bindings) = (pen.scene.device, pen.scene.bindings);
+            let known = self.prompts.take();
+            let known = known.filter(|p| p.device == device && p.bindings == *bindings);
+            let prompts = known.unwrap_or_else(|| Prompts::new(device, bindings));
+            pen.prompts(&prompts.groups, shown(self.begun, PROMPTS));
+            self.prompts = Some(prompts);
+        }
+    }
+}
+
+impl Prompts {
+    fn new(device: Device, bindings: &Bindings) -> Prompts {
+        let deed = |deed| prompts::deed(deed, device, bindings);
+        let one = |deed_of| [deed(deed_of), None];
+        let run = match device {
+            Device::Keys => [deed(Deed::Left), deed(Deed::Right)],
+            Device::Pad(_) => [Some(Cap::Plate("Stick")), None],
+        };
+        Prompts {
+            device,
+            bindings: bindings.clone(),
+            groups: [
+                (run, "run"),
+                (one(Deed::Jump), "jump"),
+                (one(Deed::Crouch), "crouch"),
+                (one(Deed::Retry), "retry"),
+                ([Some(prompts::pause(device)), None], "pause"),
+            ],
         }
     }
 }
@@ -297,29 +343,14 @@ impl<'a> Pen<'a> {
     }
 
     /// The keys, or the buttons, of the device in use.
-    fn prompts(&mut self, opacity: f32) {
+    fn prompts(&mut self, groups: &[Prompt], opacity: f32) {
         if opacity <= 0.0 {
             return;
         }
-        let Scene {
-            device, bindings, ..
-        } = *self.scene;
-        let deed = |deed| prompts::deed(deed, device, bindings);
-        let run = match device {
-            Device::Keys => vec![deed(Deed::Left), deed(Deed::Right)],
-            Device::Pad(_) => vec![Some(Cap::Plate("Stick"))],
-        };
-        let groups = [
-            (run, "run"),
-            (vec![deed(Deed::Jump)], "jump"),
-            (vec![deed(Deed::Crouch)], "crouch"),
-            (vec![deed(Deed::Retry)], "retry"),
-            (vec![Some(prompts::pause(device))], "pause"),
-        ];
         let px = 17.0 * self.unit;
         let style = body(px).in_colour(with_alpha(PAPER, opacity));
         let (between, within) = (px * 1.9, px * 0.5);
-        let width = |pen: &Pen, (found, words): &(Vec<Option<Cap>>, &str)| {
+        let width = |pen: &Pen, (found, words): &Prompt| {
             let widths = found.iter().flatten();
             let all: f32 = widths
                 .map(|cap| caps::width(pen.text, cap, px) + within)
@@ -339,7 +370,7 @@ impl<'a> Pen<'a> {
             px * 2.4,
         ];
         self.text.pill(plate, true, with_alpha(INK, 0.62 * opacity));
-        for (found, words) in &groups {
+        for (found, words) in groups {
             for cap in found.iter().flatten() {
                 x = caps::draw(self.text, cap, x, baseline, px, style.colour) + within;
             }

@@ -9,9 +9,11 @@ use super::menu::prompts::Device;
 use super::overlay::Info;
 use super::overlay::scene::{Drawing, MeshPicture};
 use super::render::{CameraPose, Frame};
+use crate::game::Shape;
 use crate::game::camera::Pose;
 use glam::{DVec2, DVec3, Vec3};
 use std::f64::consts::TAU;
+use std::mem::take;
 
 /// Share of the picture's width that the title's letters take.
 const TITLE_ASIDE: f64 = 0.42;
@@ -21,6 +23,16 @@ const DRIFT: [(f64, f64); 3] = [(46.0, 2.4), (31.0, 0.5), (67.0, 1.1)];
 /// Colour of the line around the hero for who wants high contrast: linear light.
 const MARK: Vec3 = Vec3::new(0.25, 1.6, 2.0);
 
+/// What is put together for each picture, in room that is kept from one to the next.
+#[derive(Default)]
+pub(super) struct Sketch {
+    /// How far each mover is from where it was drawn.
+    offsets: Vec<DVec2>,
+    drawing: Drawing,
+    /// The hero's shape, once it is asked for.
+    hero: Option<Shape>,
+}
+
 impl App {
     /// Draws the moment between the last two ticks; returns what was asked for in the panels.
     pub(super) fn draw(&mut self, elapsed: f32) -> Result<Vec<Edit>, ShellError> {
@@ -28,23 +40,31 @@ impl App {
         let pixels = self.platform.pixels();
         let view = self.play.view(share);
         let covered = self.overlay.covered(&self.platform);
-        let offsets: Vec<DVec2> = self.play.world.offsets_at(view.time).collect();
+        let mut sketch = take(&mut self.sketch);
+        let Sketch {
+            offsets,
+            drawing,
+            hero: shape,
+        } = &mut sketch;
+        offsets.clear();
+        offsets.extend(self.play.world.offsets_at(view.time));
         let pose = self.play.pose(share, &self.tuning);
         let shake = f64::from(self.front.live.accessibility.shake) / 100.0;
         let pose = match self.front.is_title() {
             true => drifting(beside(pose, TITLE_ASIDE, pixels), self.front.clock),
             false => beside(shaken(pose, &view, shake), covered, pixels),
         };
-        let mut drawing = if self.overlay.open || self.overlay.show.mesh {
+        drawing.clear();
+        if self.overlay.open || self.overlay.show.mesh {
             let show = self.overlay.show;
             let picture = self.mesh_picture();
-            Drawing::new(show, &self.play, picture, &offsets, &view, &pose).scaled_to(pixels.1)
-        } else {
-            Drawing::default()
-        };
+            drawing.add(show, &self.play, picture, offsets, &view, &pose);
+            drawing.scale_to(pixels.1);
+        }
         if self.front.live.accessibility.contrast && !self.front.is_title() {
             let level = &self.play.world.stage().level;
-            contrast::outline(level, &view, &offsets, pixels.1, &mut drawing.lines);
+            let hero = (&view, &*shape.get_or_insert_with(Shape::hero));
+            contrast::outline(level, hero, offsets, pixels.1, &mut drawing.lines);
         }
         // The view's own time: what moves in the world stands still with it.
         let hero = self.play.shown(share);
@@ -53,7 +73,7 @@ impl App {
         let frame = Frame {
             view: &view,
             hero: hero.as_ref(),
-            offsets: &offsets,
+            offsets,
             camera: camera(&pose),
             time: view.time,
             lines: &drawing.lines,
@@ -61,10 +81,15 @@ impl App {
             show_world: !(self.overlay.open && self.overlay.show.hide_world),
         };
         self.renderer.draw(&frame, pixels);
+        self.sketch = sketch;
         self.write_page(&view, elapsed, covered as f32);
         self.text_pass.draw(&mut self.text);
         let points = self.front.is_open() && self.controls.device() == Device::Keys;
         self.platform.show_mouse(self.overlay.open || points);
+        let source = match self.overlay.open {
+            true => self.feed.describe(self.recorder.as_ref()),
+            false => String::new(),
+        };
         // What the panels may see; what they want comes back as values.
         let info = Info {
             play: &self.play,
@@ -76,7 +101,7 @@ impl App {
             mesh_size: self.mesh_picture().size(),
             stats: &self.stats,
             notices: &self.notices,
-            source: &self.feed.describe(self.recorder.as_ref()),
+            source: &source,
             paused: self.paused,
             scale: self.scale,
         };

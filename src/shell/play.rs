@@ -74,9 +74,16 @@ impl Play {
         let events = &self.world.trace().events;
         self.events += events.len() as u64;
         if !events.is_empty() {
-            self.happened
-                .push_front((self.world.tick(), events.clone()));
-            self.happened.truncate(TICKS);
+            // The room of what is forgotten is used again.
+            let is_full = self.happened.len() == TICKS;
+            let oldest = if is_full {
+                self.happened.pop_back()
+            } else {
+                None
+            };
+            let (_, mut kept) = oldest.unwrap_or_default();
+            kept.clone_from(events);
+            self.happened.push_front((self.world.tick(), kept));
         }
         self.before = std::mem::replace(&mut self.now, self.world.view());
         if let Some(puppet) = &mut self.puppet {

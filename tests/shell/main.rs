@@ -4,6 +4,7 @@
 
 mod devices;
 mod hands;
+mod heap;
 mod menus;
 mod runs;
 mod sound;
@@ -110,6 +111,14 @@ const TESTS: &[Test] = &[
     ("keys are bound by hand", menus::keys_are_bound_by_hand),
     ("results at the goal", menus::results_at_the_goal),
     ("time runs slower by wish", menus::time_runs_slower_by_wish),
+    (
+        "nothing is allocated for a picture",
+        heap::nothing_is_allocated_for_a_picture,
+    ),
+    (
+        "nothing is allocated for cues",
+        heap::nothing_is_allocated_for_cues,
+    ),
     ("another level", tools::another_level),
     ("a level is clicked", tools::a_level_is_clicked),
     ("a run is heard", sound::a_run_is_heard),

@@ -400,14 +400,18 @@ impl Page<'_> {
 }
 
 /// Minutes, seconds and hundredths.
-pub fn clock(seconds: f64) -> String {
-    let hundredths = (seconds * 100.0).floor() as u64;
-    format!(
-        "{}:{:02}.{:02}",
-        hundredths / 6000,
-        hundredths / 100 % 60,
-        hundredths % 100
-    )
+pub struct Clock(u64);
+
+impl std::fmt::Display for Clock {
+    fn fmt(&self, out: &mut std::fmt::Formatter) -> std::fmt::Result {
+        let Clock(all) = self;
+        write!(out, "{}:{:02}.{:02}", all / 6000, all / 100 % 60, all % 100)
+    }
+}
+
+/// Seconds as on a watch.
+pub fn clock(seconds: f64) -> Clock {
+    Clock((seconds * 100.0).floor() as u64)
 }
 
 #[cfg(test)]
@@ -417,7 +421,7 @@ mod tests {
     #[test]
     fn times_are_written_as_on_a_watch() {
         assert_eq!(
-            [0.0, 59.999, 83.456].map(clock),
+            [0.0, 59.999, 83.456].map(|seconds| clock(seconds).to_string()),
             ["0:00.00", "0:59.99", "1:23.45"]
         );
     }

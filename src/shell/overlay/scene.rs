@@ -189,39 +189,43 @@ pub struct Drawing {
 }
 
 impl Drawing {
-    /// Everything that shall be shown of this moment.
-    pub fn new(
+    /// Nothing, with the room that it had.
+    pub fn clear(&mut self) {
+        self.lines.clear();
+        self.tris.clear();
+    }
+
+    /// Adds everything that shall be shown of this moment.
+    pub fn add(
+        &mut self,
         show: Show,
         play: &Play,
         picture: &MeshPicture,
         offsets: &[DVec2],
         view: &View,
         pose: &Pose,
-    ) -> Drawing {
-        let mut out = Drawing::default();
+    ) {
         if show.mesh {
-            picture.draw(window(pose), offsets, &mut out);
+            picture.draw(window(pose), offsets, self);
         }
         if show.place {
-            out.place(&play.world, offsets);
+            self.place(&play.world, offsets);
         }
         if show.path {
-            out.path(play, view);
+            self.path(play, view);
         }
         if show.velocity {
-            out.arrow(view.position, view.velocity * VELOCITY_SCALE, VELOCITY);
+            self.arrow(view.position, view.velocity * VELOCITY_SCALE, VELOCITY);
         }
         if show.contact && view.stance != Stance::Air {
-            out.arrow(view.position, view.normal * NORMAL_LENGTH, NORMAL);
+            self.arrow(view.position, view.normal * NORMAL_LENGTH, NORMAL);
         }
-        out
     }
 
-    /// The same for a picture so many pixels high: what is bold stays bold on a fine display.
-    pub fn scaled_to(mut self, height: u32) -> Drawing {
+    /// Makes it one for a picture so many pixels high: what is bold stays bold on a fine display.
+    pub fn scale_to(&mut self, height: u32) {
         let scale = (height as f32 / USUAL_HEIGHT).max(1.0);
         self.lines.iter_mut().for_each(|line| line.width *= scale);
-        self
     }
 
     /// The discrete place, which is the truth about where the hero is: his face, and the edge or vertex he is on, in the

@@ -46,15 +46,20 @@ pub fn build(kit: &Kit, movers: &[Mover]) -> Model {
     model
 }
 
-/// The ways between stops, each once, as offsets.
+/// The ways from stop to stop, as offsets; those of a loop back to the first one as well.
+fn legs(mover: &Mover) -> impl Iterator<Item = (Vec2, Vec2)> + '_ {
+    let stops = || mover.path.iter().map(|stop| stop.at.as_vec2());
+    let back = match mover.repeat {
+        Repeat::Loop => stops().next_back().zip(stops().next()),
+        _ => None,
+    };
+    stops().zip(stops().skip(1)).chain(back)
+}
+
+/// The ways between stops, each once.
 fn ways(mover: &Mover) -> Vec<(Vec2, Vec2)> {
-    let stops: Vec<Vec2> = mover.path.iter().map(|stop| stop.at.as_vec2()).collect();
-    let mut ways: Vec<(Vec2, Vec2)> = stops.windows(2).map(|pair| (pair[0], pair[1])).collect();
-    if let (Repeat::Loop, [first, .., last]) = (mover.repeat, stops.as_slice()) {
-        ways.push((*last, *first));
-    }
     let mut once: Vec<(Vec2, Vec2)> = Vec::new();
-    for (a, b) in ways {
+    for (a, b) in legs(mover) {
         if a != b && !once.contains(&(a, b)) && !once.contains(&(b, a)) {
             once.push((a, b));
         }
@@ -127,7 +132,7 @@ fn wheel(at: Vec2, paint: Paint, model: &mut Model) {
 /// Whether a mover goes up and down: what it comes down on is crushed.
 fn stamps(mover: &Mover) -> bool {
     let upright = |(a, b): &(Vec2, Vec2)| (*b - *a).y.abs() >= UPRIGHT * (*b - *a).x.abs();
-    ways(mover).iter().any(upright)
+    legs(mover).filter(|(a, b)| a != b).any(|leg| upright(&leg))
 }
 
 /// The parts of a mover that are shown as dangerous: the iron of one that stamps.

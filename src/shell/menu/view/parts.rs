@@ -85,8 +85,8 @@ impl Page<'_> {
         let value = left + 150.0 * unit;
         let mut y = measures.heading[1] + 84.0 * unit;
         let figures = [
-            ("Time", clock(results.seconds)),
-            ("Best", clock(results.best())),
+            ("Time", clock(results.seconds).to_string()),
+            ("Best", clock(results.best()).to_string()),
             ("Deaths", results.deaths.to_string()),
             (
                 "Secrets",
