@@ -8,7 +8,7 @@ use super::law;
 use super::roots::exit;
 use super::terrain::{Ground, Terrain};
 use super::track::{Track, delta};
-use super::vertex::{Bearing, JOINT_STEPS, Sector, sector, segment_at};
+use super::vertex::{Bearing, JOINT_STEPS, Sector, gone_into, sector, segment_at};
 use crate::geom::{Point, STEP};
 use crate::mesh::{EdgeId, SegmentId, VertexId};
 use glam::DVec2;
@@ -276,7 +276,7 @@ impl Body {
         if self.climb_onto(edge, terrain, trace) {
             return;
         }
-        match segment_at(mesh, edge, |_| false) {
+        match gone_into(mesh, edge, self.local_velocity()) {
             Some(segment) => self.contact(segment, edge, terrain, trace),
             None => self.wedge(at, edge, terrain, trace),
         }

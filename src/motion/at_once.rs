@@ -1,21 +1,26 @@
-//! What one instant brings together: edges of the level and of moving solids that a body meets at one and the same time.
+//! What one place brings together: edges of the level and of moving solids that a body meets at one and the same time.
 //!
 //! Impacts are taken one after the other. Between surfaces that leave room this ends: each takes what goes into it. Where they
-//! leave none, the body would be thrown to and fro for ever at one time. So what it comes to is noted while the time stands still,
-//! and as soon as it is back at an edge that it has left at this very time, all of them are asked at once: is there a velocity
-//! that goes into none? With the normals n and the speeds b at which the edges come up along them, that is n . v >= b for
-//! each. If there is none, two or three of them say so (Helly), by weights that cancel the normals and leave a positive sum of
-//! the speeds (Farkas): the body is crushed.
+//! leave none, the body would be thrown to and fro for ever at one time, or, where a corner is rounded, ever faster between
+//! places less than a joint apart. So what it comes to is noted until it is away from it, and as soon as it is back at an edge
+//! that it has left, all of them are asked at once: is there a velocity that goes into none? With the normals n and the speeds b
+//! at which the edges come up along them, that is n . v >= b for each. If there is none, two or three of them say so (Helly), by
+//! weights that cancel the normals and leave a positive sum of the speeds (Farkas): the body is crushed. If there is one, and the
+//! body is back at the very same time, it flies on from there with the one nearest to its own: the impact of all of them at once
+//! (Moreau's for edges without friction or bounce).
 
-use super::body::{Body, Size, Trace};
+use super::beside::ROUNDING;
+use super::body::{Body, EventKind, Mode, Size, Trace};
+use super::step::CREEP;
 use super::terrain::Terrain;
 use super::vertex::JOINT_STEPS;
 use crate::geom::STEP;
 use crate::mesh::SegmentId;
 use glam::DVec2;
+use serde::{Deserialize, Serialize};
 
-/// An edge that a body has come to at the present time.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// An edge that a body has come to and is not yet away from.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Meeting {
     /// The moving solid; `None`: the level.
     mover: Option<u32>,
@@ -23,6 +28,8 @@ pub struct Meeting {
     segment: SegmentId,
     /// The body is still on it, or pressed by it.
     lasts: bool,
+    /// When it was last, s.
+    at: f64,
 }
 
 /// What an edge asks of a velocity.
@@ -53,6 +60,38 @@ impl Demand {
         let faces = |b: &Demand| self.n == -b.n && pair(b);
         others.iter().any(faces) || others.iter().enumerate().any(triple)
     }
+
+    /// Whether a velocity goes into the edge, by more than rounding.
+    fn forbids(&self, v: DVec2) -> bool {
+        self.n.dot(v) < self.speed - self.rounding - ROUNDING * v.length()
+    }
+
+    /// The velocity next to one that is just not forbidden.
+    fn nearest(&self, v: DVec2) -> DVec2 {
+        v + self.n * (self.speed - self.n.dot(v))
+    }
+
+    /// The one velocity along this edge and another; `None` if they are parallel.
+    fn both(&self, other: &Demand) -> Option<DVec2> {
+        let det = self.n.perp_dot(other.n);
+        let solved = (self.n * other.speed - other.n * self.speed).perp() / det;
+        (det != 0.0).then_some(solved)
+    }
+}
+
+/// The velocity nearest to one that no demand forbids, unless that is the one itself.
+fn way_out(demands: &[Demand], v: DVec2) -> Option<DVec2> {
+    if !demands.iter().any(|d| d.forbids(v)) {
+        return None;
+    }
+    let singly = demands.iter().map(|d| d.nearest(v));
+    let after = |i: usize| demands[i + 1..].iter();
+    let pairs = demands.iter().enumerate();
+    let pairs = pairs.flat_map(|(i, a)| after(i).filter_map(|b| a.both(b)));
+    let allowed = singly.chain(pairs);
+    let allowed = allowed.filter(|&w| !demands.iter().any(|d| d.forbids(w)));
+    let away = |w: &DVec2| (*w - v).length_squared();
+    allowed.min_by(|a, b| away(a).total_cmp(&away(b)))
 }
 
 /// Whether demands whose weighted normals cancel ask for more than nothing together, by more than rounding.
@@ -63,9 +102,10 @@ fn contradict(weighted: &[(f64, Demand)]) -> bool {
 }
 
 impl Body {
-    /// Notes what the body is on and what presses on it. If it is back at something that it has left at this very time, and all
-    /// that it has met leaves it no velocity, it is crushed.
+    /// Notes what the body is on and what presses on it. If it is back at something that it has left, and all that it has met
+    /// leaves it no velocity, it is crushed; if it leaves one, and no time has passed, it goes on with that.
     pub(super) fn meet_again(&mut self, terrain: &Terrain, trace: &mut Trace) {
+        let now = self.time;
         let mine = self.left_behind(terrain).into_iter().flatten();
         let mine = mine.map(|segment| (self.carrier(), segment));
         let pressing = self.beside.iter();
@@ -76,37 +116,53 @@ impl Body {
             size,
             segment,
             lasts: true,
+            at: now,
         });
+        let present: Vec<Meeting> = present.collect();
         let is =
             |a: &Meeting, b: &Meeting| (a.mover, a.size, a.segment) == (b.mover, b.size, b.segment);
-        let mut again = false;
-        for known in &mut trace.meetings {
-            let lasts = present.clone().any(|m| is(&m, known));
-            again |= lasts && !known.lasts;
-            known.lasts = lasts;
+        let mut known = std::mem::take(&mut self.meetings);
+        let (mut again, mut at_once) = (false, false);
+        for old in &mut known {
+            let lasts = present.iter().any(|m| is(m, old));
+            let back = lasts && !old.lasts;
+            again |= back;
+            at_once |= back && now - old.at <= CREEP * now.abs();
+            (old.lasts, old.at) = (lasts, if lasts || old.lasts { now } else { old.at });
         }
-        for new in present {
-            if !trace.meetings.iter().any(|known| is(known, &new)) {
-                trace.meetings.push(new);
-            }
-        }
-        if again && self.has_no_way(&trace.meetings, terrain) {
+        let new = present
+            .iter()
+            .filter(|m| !known.iter().any(|old| is(old, m)));
+        let new: Vec<Meeting> = new.copied().collect();
+        known.extend(new);
+        let demands = known.iter().map(|m| self.demand(m, terrain));
+        let demands: Vec<Option<Demand>> = demands.collect();
+        let mut near = demands.iter().map(Option::is_some);
+        known.retain(|_| near.next().unwrap_or(false));
+        self.meetings = known;
+        let demands: Vec<Demand> = demands.into_iter().flatten().collect();
+        if again && leave_none(&demands) {
             self.crush(terrain, trace);
+        } else if at_once && let Some(v) = way_out(&demands, self.velocity()) {
+            self.fly_off(v, terrain, trace);
         }
     }
 
-    /// Whether edges that the body has come to leave it no velocity.
-    fn has_no_way(&self, meetings: &[Meeting], terrain: &Terrain) -> bool {
-        let demands = meetings.iter().filter_map(|m| self.demand(m, terrain));
-        let demands: Vec<Demand> = demands.collect();
-        let mut rest = &demands[..];
-        while let [first, others @ ..] = rest {
-            if first.excludes(others) {
-                return true;
-            }
-            rest = others;
+    /// Off what it is on, with a velocity in the world.
+    fn fly_off(&mut self, v: DVec2, terrain: &Terrain, trace: &mut Trace) {
+        if matches!(self.mode, Mode::Air(_)) {
+            return;
         }
-        false
+        let local = v - self.frame_piece().velocity(self.time);
+        let face = self.face_ahead(local, self.ground(terrain));
+        let touching = self.left_behind(terrain);
+        let kind = match self.supported() {
+            true => EventKind::Left,
+            false => EventKind::Parted,
+        };
+        self.come_off_wall(terrain);
+        self.fly(self.local_position(), local, face, touching);
+        self.log(kind, trace);
     }
 
     /// What an edge asks for, if the body has not been moved away from it since.
@@ -132,6 +188,18 @@ impl Body {
     }
 }
 
+/// Whether edges leave no velocity at all.
+fn leave_none(demands: &[Demand]) -> bool {
+    let mut rest = demands;
+    while let [first, others @ ..] = rest {
+        if first.excludes(others) {
+            return true;
+        }
+        rest = others;
+    }
+    false
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -155,5 +223,16 @@ mod tests {
         assert!(press.excludes(&[slope, demand(-1.0, 1.0, 0.0)]), "a vee");
         assert!(press.excludes(&[demand(-1.0, 0.0, 0.0), slope]), "a wall");
         assert!(!press.excludes(&[demand(1.0, 0.0, 0.0), slope]), "behind");
+    }
+
+    #[test]
+    fn of_the_ways_out_the_nearest_is_taken() {
+        let (floor, wall) = (demand(0.0, 1.0, 0.0), demand(-1.0, 0.0, 2.0));
+        let free = DVec2::new(-3.0, 1.0);
+        assert_eq!(way_out(&[floor, wall], free), None);
+        let falls = DVec2::new(-3.0, -1.0);
+        assert_eq!(way_out(&[floor, wall], falls), Some(DVec2::new(-3.0, 0.0)));
+        let both = DVec2::new(1.0, -1.0);
+        assert_eq!(way_out(&[floor, wall], both), Some(DVec2::new(-2.0, 0.0)));
     }
 }

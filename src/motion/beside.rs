@@ -451,6 +451,7 @@ impl Body {
         self.mode = Mode::Crushed(Crushed { at, face });
         (self.frame, self.climbing) = (None, false);
         self.beside.clear();
+        self.meetings.clear();
         self.log(EventKind::Crushed, trace);
     }
 }

@@ -1,5 +1,6 @@
 //! The state of one body, and what can be read from it.
 
+use super::at_once::Meeting;
 use super::beside::Beside;
 pub use super::event::{Event, EventKind, Trace};
 use super::grip::Grip;
@@ -172,6 +173,9 @@ pub struct Body {
     /// Its places in all other frames.
     #[serde(default)]
     pub(super) beside: Vec<Beside>,
+    /// The edges that it has come to among moving solids and is not yet away from.
+    #[serde(default)]
+    pub(super) meetings: Vec<Meeting>,
     /// When what carries the body slowed down at once, and the velocity that it had.
     #[serde(default)]
     pub(super) lift: Option<(f64, DVec2)>,

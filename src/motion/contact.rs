@@ -8,7 +8,6 @@
 use super::beside::{Beside, ROUNDING};
 use super::body::{Air, Body, EventKind, Mode, Next, Surface, Trace};
 use super::edit::again;
-use super::grip::Grip;
 use super::joint::Onward;
 use super::mover::Piece;
 use super::roots::exit;
@@ -56,6 +55,14 @@ impl Contact {
         let segment = again(new, old.segment(self.segment))?;
         let piece = [old.origin(self.edge), old.dest(self.edge)].map(|v| old.point(v));
         self.at(at, segment, new, Some(piece))
+    }
+
+    /// How far a position is past the ends of the mesh edge, m; not positive between them.
+    fn passed(&self, at: DVec2, mesh: Ground) -> f64 {
+        let s = self.track.parameter(at);
+        let ends = [mesh.origin(self.edge), mesh.dest(self.edge)];
+        let [a, b] = ends.map(|v| self.track.parameter_of(mesh.point(v)));
+        (a.min(b) - s).max(s - a.max(b))
     }
 
     /// The same contact on the piece of a feature edge at a position, if that is free; `was` are the ends of its piece so far.
@@ -272,7 +279,7 @@ impl Body {
         let around = around.filter_map(|e| segment_at(mesh, e, |_| false));
         let touched = beside.flight.touching.into_iter().flatten().chain(around);
         let mut touched = touched.filter_map(|s| self.at_hand(beside, s, terrain));
-        touched.find(leads_into).filter(|_| on.grip == Grip::None)
+        touched.find(leads_into)
     }
 
     /// Whether something of another frame would strike the body at once if it came to rest here.
@@ -356,7 +363,7 @@ impl Body {
         if !self.is_pressed() {
             return;
         }
-        self.release_distant();
+        self.release_distant(terrain);
         let Mode::Surface(on) = &self.mode else {
             return self.release_all();
         };
@@ -432,15 +439,22 @@ impl Body {
         (beside.contact, beside.of) = (None, None);
     }
 
-    /// Those from which the body has been moved away: set down, stepped up.
-    fn release_distant(&mut self) {
+    /// Those from which the body has been moved away: set down, stepped up. Where that was along the feature edge, the piece of
+    /// it there presses.
+    fn release_distant(&mut self, terrain: &Terrain) {
         for entry in 0..self.beside.len() {
             let beside = &self.beside[entry];
-            let (q, _) = self.seen_from(beside);
-            let height = |c: Contact| c.track.height(q, q, q).0.abs();
+            let Some(contact) = beside.contact else {
+                continue;
+            };
+            let (mesh, (q, _)) = (beside.ground(self.size, terrain), self.seen_from(beside));
             let width = f64::from(JOINT_STEPS) * STEP;
-            if beside.contact.is_some_and(|c| height(c) > width) {
+            let (height, passed) = (contact.track.height(q, q, q).0, contact.passed(q, mesh));
+            // Behind it, though, one has not been moved away but driven: there it presses all the more.
+            if height > width || passed > width {
+                let there = contact.at(q, contact.segment, mesh, None);
                 self.release(entry);
+                self.beside[entry].contact = there.filter(|_| height.abs() <= width);
             }
         }
     }

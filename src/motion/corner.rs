@@ -31,13 +31,14 @@ impl Body {
         terrain: &Terrain,
         trace: &mut Trace,
     ) -> bool {
-        let v = self.local_velocity();
         let mesh = self.ground(terrain);
         let Mode::Air(air) = &mut self.mode else {
             return false;
         };
         let accel = air.accel;
-        let (out, into) = match sector(mesh, spoke, Bearing::of(v, accel)) {
+        // The velocity at this very moment: the absolute time is too coarse for one that has turned since the piece began.
+        let heading = Bearing::of(air.v0 + accel * air.since, accel);
+        let (out, into) = match sector(mesh, spoke, heading) {
             // Again: here rounding keeps it on the piece.
             Sector::Free(face) if face == air.face && air.touching.contains(&Some(segment)) => {
                 return false;

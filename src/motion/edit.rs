@@ -73,6 +73,7 @@ impl Body {
     /// Takes its place in the meshes as they are after an edit of the level. An event only if its place is no more.
     pub fn rehome(&mut self, anchor: &Anchor, terrain: &Terrain, trace: &mut Trace) {
         let ground = terrain.ground(self.size).climbed(self.climbing);
+        self.meetings.clear();
         if self.is_untouched(anchor, ground) && !self.has_lost_ledge(terrain) {
             return self.come_to_place(terrain, trace);
         }

@@ -1,6 +1,5 @@
 //! What happens to a body, as values: each with its time within the tick.
 
-use super::at_once::Meeting;
 use super::body::Size;
 use crate::mesh::FeatureId;
 use serde::{Deserialize, Serialize};
@@ -84,8 +83,6 @@ pub struct Trace {
     pub passed: u64,
     /// Edges met and nodes passed in the frames of moving solids.
     pub touched: u64,
-    /// What the body has come to at the present time; empty between steps.
-    pub(super) meetings: Vec<Meeting>,
 }
 
 impl Trace {

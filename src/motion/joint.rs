@@ -255,7 +255,10 @@ impl Body {
             Some((_, s)) if !is_lip(mesh.segment(s)) => next,
             _ => {
                 let home = mesh.origin(joint.beside);
-                bridge(mesh, home, joint.next, joint.heading).or(next)
+                // Round a hole no larger than a joint the surface comes back to where the walker is.
+                let back = |e: EdgeId| Some(e) == self.edge();
+                let bridge = bridge(mesh, home, joint.next, joint.heading);
+                bridge.filter(|&(e, _)| !back(e)).or(next)
             }
         }?;
         Some(joint.onto(mesh, edge, s))

@@ -6,6 +6,7 @@
 use super::body::{Air, Body, EventKind, Mode, Trace};
 use super::ladder::Reach;
 use super::terrain::{Ground, Terrain};
+use super::vertex::JOINT_STEPS;
 use crate::geom::STEP;
 use crate::mesh::{EdgeId, FaceId, Segment};
 
@@ -23,6 +24,13 @@ impl Body {
         let face = mesh.left(beyond).expect("a one-way is free on either side");
         let through = on.segment;
         let (p, v) = (self.local_position(), self.local_velocity());
+        // Ground that rounding alone tells from what he stands on.
+        let width = f64::from(JOINT_STEPS) * STEP;
+        let is_ground = |s| mesh.walkable(s) && mesh.track(s).height(p, p, p).0.abs() <= width;
+        let mut below = mesh.sides(face).into_iter().filter(|&e| mesh.blocks(e));
+        if below.any(|e| mesh.facing(e).any(is_ground)) {
+            return false;
+        }
         self.fly(p, v, face, [None; 2]);
         if let Mode::Air(air) = &mut self.mode {
             air.through = Some(through);

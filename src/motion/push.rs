@@ -9,7 +9,8 @@ use super::joint::{Joint, Onward};
 use super::terrain::{Ground, Terrain};
 use super::track::Track;
 use super::vertex::{
-    Bearing, Heading, JOINT_STEPS, Sector, face_towards, fan_ends, sector, segment_at, surface_next,
+    Bearing, Heading, JOINT_STEPS, Sector, face_towards, fan_ends, gone_into, sector, segment_at,
+    surface_next,
 };
 use crate::geom::STEP;
 use crate::mesh::{EdgeId, FaceId, SegmentId};
@@ -21,11 +22,11 @@ impl Body {
     pub(super) fn struck(&mut self, i: usize, edge: EdgeId, terrain: &Terrain, trace: &mut Trace) {
         let t = terrain.tuning;
         let mesh = self.beside[i].ground(self.size, terrain);
-        let Some(segment) = segment_at(mesh, edge, |_| false) else {
+        let (q, w) = self.seen_from(&self.beside[i]);
+        let Some(segment) = gone_into(mesh, edge, w) else {
             return self.crush(terrain, trace);
         };
         let track = mesh.track(segment);
-        let (q, w) = self.seen_from(&self.beside[i]);
         let into = -track.normal.dot(w);
         if self.only_touches(i, edge, segment, terrain, trace) {
             return;
@@ -94,7 +95,7 @@ impl Body {
     }
 
     /// Where rounding of the time has put the body before the end of its piece that it has just passed, that end.
-    fn keep_to_edge(&mut self, terrain: &Terrain) {
+    pub(super) fn keep_to_edge(&mut self, terrain: &Terrain) {
         let mesh = self.ground(terrain);
         let Mode::Surface(on) = &self.mode else {
             return;

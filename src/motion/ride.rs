@@ -154,6 +154,7 @@ impl Body {
         self.change_frame(i);
         self.beside[i].flight = left;
         self.mode = Mode::Surface(surface);
+        self.keep_to_edge(terrain);
         if self.supported() {
             (self.rising, self.coyote_from) = (false, None);
             if std::mem::take(&mut self.climbing) {

@@ -15,7 +15,7 @@ use glam::DVec2;
 const CYCLE: u32 = 4096;
 
 /// How much later, as a share of the time, rounding may make an event that comes at once.
-const CREEP: f64 = 8.0 * f64::EPSILON;
+pub(super) const CREEP: f64 = 8.0 * f64::EPSILON;
 
 impl Body {
     /// A body at rest in the air, its foot at `at` (m), at a time (s).
@@ -29,6 +29,7 @@ impl Body {
             mode: Mode::Wedge(Wedge { at, face }),
             frame: None,
             beside: Vec::new(),
+            meetings: Vec::new(),
             lift: None,
             size: Size::Stand,
             control: Control::default(),
@@ -106,11 +107,7 @@ impl Body {
     /// Moves up to a time, event by event. Nothing happens if it is not later than now.
     pub fn advance(&mut self, to: f64, terrain: &Terrain, trace: &mut Trace) {
         let (mut still, mut held) = (0, false);
-        trace.meetings.clear();
         while let Some((at, what)) = self.next.filter(|&(at, _)| at <= to) {
-            if at > self.time {
-                trace.meetings.clear();
-            }
             // Times that rounding may have told apart are one here: a cycle may creep.
             let stands = at - self.time <= CREEP * self.time.abs();
             still = if stands { still + 1 } else { 0 };
@@ -128,7 +125,6 @@ impl Body {
             }
             self.handle(what, terrain, trace);
         }
-        trace.meetings.clear();
         self.time = self.time.max(to);
     }
 

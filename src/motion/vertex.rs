@@ -102,6 +102,16 @@ pub fn segment_at(
     mesh.facing(e).max_by_key(rank)
 }
 
+/// The feature edge along a mesh edge that a velocity leads into: not the best of them, if the body moves off that.
+pub fn gone_into(mesh: Ground, edge: EdgeId, v: DVec2) -> Option<SegmentId> {
+    let into = |s: SegmentId| mesh.track(s).normal.dot(v) < 0.0;
+    let best = segment_at(mesh, edge, |_| false)?;
+    match mesh.track(best).normal.dot(v) > 0.0 {
+        true => segment_at(mesh, edge, into),
+        false => Some(best),
+    }
+}
+
 /// The free faces about a vertex that can be reached from one of them by turning about it, either way, until an edge blocks
 /// (or all around it). One-ways block from one side only: what is reached from a face need not reach that face.
 struct Fan {
