@@ -1,31 +1,63 @@
-//! A bucket grid: which items may be near a place. Only ever asked cell by cell, never iterated.
+//! A bucket grid: which segments and which hot pixels may be near a place. Only ever asked cell by cell, never iterated.
 //!
 //! Cells are squares of a power of two of steps. A segment is registered in every cell that it comes
-//! within one step of, a point in its own cell; so the segments that meet the pixel of a point are among those
-//! of the point's cell, and the pixels that a segment meets are among the points of the segment's cells.
+//! within one step of, a pixel in the cell of its point; so the segments that meet a pixel are among those
+//! of the pixel's cell, and the pixels that a segment meets are among those of the segment's cells.
 
+use super::VertexId;
 use super::topology::NONE;
 use crate::geom::Point;
 use std::collections::HashMap;
 use std::hash::{BuildHasherDefault, Hasher};
 
-/// Items (any ids) by cell, as linked lists in one slab.
+/// Where a cell has its lists. It stays there while there is anything in it.
+pub type Slot = u32;
+
+/// Segments and hot pixels by cell, as linked lists.
 #[derive(Clone, Debug)]
 pub struct Buckets {
     /// Cells have 2^shift steps.
     shift: u32,
-    /// Blocks of four by four cells by their place: cells next to each other share a cache line.
+    /// Blocks of four by four cells by their place: cells next to each other lie together in memory.
     blocks: HashMap<u64, u32, BuildHasherDefault<CellHasher>>,
-    /// For each block the first link of each of its cells.
-    heads: Vec<[u32; 16]>,
+    /// The block that was asked for last: mostly the next one, too.
+    recent: Option<(u64, u32)>,
+    /// Sixteen for each block.
+    cells: Vec<Cell>,
+    /// Blocks that can be given away.
     vacant: Vec<u32>,
     links: Vec<Link>,
+    /// The first of the unused links.
     free: u32,
+    /// By vertex.
+    pixels: Vec<Pixel>,
 }
+
+/// The first link of a cell's segments, and the first of its pixels.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Cell {
+    segments: u32,
+    pixels: u32,
+}
+
+/// Cells in a block.
+const BLOCK: usize = 16;
+
+const EMPTY: Cell = Cell {
+    segments: NONE,
+    pixels: NONE,
+};
 
 #[derive(Clone, Copy, Debug)]
 struct Link {
-    item: u32,
+    segment: u32,
+    next: u32,
+}
+
+/// A hot pixel, and the next one in its cell.
+#[derive(Clone, Copy, Debug)]
+struct Pixel {
+    point: Point,
     next: u32,
 }
 
@@ -57,45 +89,75 @@ impl Hasher for CellHasher {
     }
 }
 
+// Cells.
 impl Buckets {
-    /// Empty buckets with cells of 2^shift steps.
-    pub fn new(shift: u32) -> Self {
+    /// Empty buckets with cells of 2^shift steps, and some vertices that are in none.
+    pub fn new(shift: u32, reserved: &[Point]) -> Self {
+        let pixel = |&point: &Point| Pixel { point, next: NONE };
         Buckets {
             shift,
             blocks: HashMap::default(),
-            heads: Vec::new(),
+            recent: None,
+            cells: Vec::new(),
             vacant: Vec::new(),
             links: Vec::new(),
             free: NONE,
+            pixels: reserved.iter().map(pixel).collect(),
         }
     }
 
-    fn key(column: i64, row: i64) -> u64 {
-        ((column as u64) << 32) | u64::from(row as u32)
+    /// The place of the block of a cell, and the cell's number in it.
+    fn place(column: i64, row: i64) -> (u64, Slot) {
+        let block = ((column >> 2) as u64) << 32 | u64::from((row >> 2) as u32);
+        (block, (4 * (column & 3) + (row & 3)) as Slot)
     }
 
-    /// The block of a cell, and the cell's number in it.
-    fn place(cell: u64) -> (u64, usize) {
-        let (column, row) = ((cell >> 32) as i32, cell as i32);
-        let block = Self::key(i64::from(column >> 2), i64::from(row >> 2));
-        (block, (4 * (column & 3) + (row & 3)) as usize)
+    /// The slot of a cell that may have lists.
+    fn find(&self, column: i64, row: i64) -> Option<Slot> {
+        let (place, cell) = Self::place(column, row);
+        let block = self.blocks.get(&place)?;
+        Some(BLOCK as Slot * block + cell)
     }
 
-    /// The first link of a cell's list.
-    fn head(&self, cell: u64) -> u32 {
-        let (block, i) = Self::place(cell);
-        let block = self.blocks.get(&block);
-        block.map_or(NONE, |&block| self.heads[block as usize][i])
+    /// The slot of a cell that is to have lists.
+    #[inline]
+    fn slot(&mut self, column: i64, row: i64) -> Slot {
+        let (place, cell) = Self::place(column, row);
+        let block = match self.recent {
+            Some((recent, block)) if recent == place => block,
+            _ => self.block(place),
+        };
+        BLOCK as Slot * block + cell
     }
 
-    /// The cell of a point.
-    pub fn cell_of(&self, p: Point) -> u64 {
-        Self::key(i64::from(p.x) >> self.shift, i64::from(p.y) >> self.shift)
+    /// The block at a place, made if it is not there.
+    fn block(&mut self, place: u64) -> u32 {
+        let block = *self.blocks.entry(place).or_insert_with(|| {
+            self.vacant.pop().unwrap_or_else(|| {
+                self.cells.extend([EMPTY; BLOCK]);
+                (self.cells.len() / BLOCK) as u32 - 1
+            })
+        });
+        self.recent = Some((place, block));
+        block
     }
 
-    /// Writes the cells within one step of a segment to `cells`, each once, in a fixed order.
-    pub fn cells_along(&self, a: Point, b: Point, cells: &mut Vec<u64>) {
-        cells.clear();
+    /// Lets the block of a cell go if nothing is left in it.
+    fn tidy(&mut self, slot: Slot, column: i64, row: i64) {
+        let first = slot as usize / BLOCK * BLOCK;
+        if self.cells[first..first + BLOCK] == [EMPTY; BLOCK] {
+            self.blocks.remove(&Self::place(column, row).0);
+            self.recent = None;
+            self.vacant.push(slot / BLOCK as Slot);
+        }
+    }
+
+    fn cell_of(&self, p: Point) -> (i64, i64) {
+        (i64::from(p.x) >> self.shift, i64::from(p.y) >> self.shift)
+    }
+
+    /// Calls `each` with column and row of the cells within one step of a segment, each once, in a fixed order.
+    fn along(shift: u32, a: Point, b: Point, mut each: impl FnMut(i64, i64)) {
         let (low, high) = if a.y <= b.y { (a, b) } else { (b, a) };
         let (lx, ly, hx, hy) = (
             i64::from(low.x),
@@ -103,58 +165,61 @@ impl Buckets {
             i64::from(high.x),
             i64::from(high.y),
         );
-        let (first, last) = ((ly - 1) >> self.shift, (hy + 1) >> self.shift);
+        let (first, last) = ((ly - 1) >> shift, (hy + 1) >> shift);
         for row in first..=last {
             // The part of the segment within one step of this row, in x, rounded outwards.
-            let from = ly.max((row << self.shift) - 1);
-            let to = hy.min(((row + 1) << self.shift) + 1);
-            let (x, y) = if first == last || ly == hy {
-                (lx, hx)
-            } else {
-                let at = |y: i64| lx + ((hx - lx) * (y - ly)).div_euclid(hy - ly);
-                (at(from.clamp(ly, hy)), at(to.clamp(ly, hy)))
-            };
-            for column in (x.min(y) - 1) >> self.shift..=(x.max(y) + 2) >> self.shift {
-                cells.push(Self::key(column, row));
+            let from = (row << shift) - 1;
+            let to = ((row + 1) << shift) + 1;
+            let at = |y: i64| lx + ((hx - lx) * (y - ly)).div_euclid(hy - ly);
+            let x = if from <= ly { lx } else { at(from.min(hy)) };
+            let y = if to >= hy { hx } else { at(to.max(ly)) };
+            for column in (x.min(y) - 1) >> shift..=(x.max(y) + 2) >> shift {
+                each(column, row);
             }
         }
     }
 
-    /// The items of a cell.
-    pub fn items(&self, cell: u64) -> impl Iterator<Item = u32> + '_ {
-        self.items_from(self.head(cell))
+    /// Writes the slots of the cells within one step of a segment behind those that are in a list. The segment is to be added
+    /// to them, or is in them.
+    pub fn slots_along(&mut self, a: Point, b: Point, slots: &mut Vec<Slot>) {
+        Self::along(self.shift, a, b, |column, row| {
+            slots.push(self.slot(column, row));
+        });
+    }
+}
+
+// Segments.
+impl Buckets {
+    /// Makes room for so many more entries of segments in cells.
+    pub fn reserve(&mut self, entries: usize) {
+        self.links.reserve(entries);
     }
 
-    /// The items of a cell's list from a link on.
-    pub fn items_from(&self, mut at: u32) -> impl Iterator<Item = u32> + '_ {
+    /// The segments in a cell's list from a link on.
+    #[inline]
+    pub fn segments_from(&self, mut at: u32) -> impl Iterator<Item = u32> + '_ {
         std::iter::from_fn(move || {
             let link = self.links.get(at as usize)?;
             at = link.next;
-            Some(link.item)
+            Some(link.segment)
         })
     }
 
-    /// The items of the cell of a point and of the eight around it, its own first.
-    pub fn items_around(&self, p: Point) -> impl Iterator<Item = u32> + '_ {
-        let (column, row) = (i64::from(p.x) >> self.shift, i64::from(p.y) >> self.shift);
-        let order = [0, -1, 1];
-        let cells = order
-            .into_iter()
-            .flat_map(move |dx| order.map(|dy| (column + dx, row + dy)));
-        cells.flat_map(|(column, row)| self.items(Self::key(column, row)))
+    /// The segments in the cell of a point.
+    pub fn segments_at(&self, p: Point) -> impl Iterator<Item = u32> + '_ {
+        let (column, row) = self.cell_of(p);
+        let slot = self.find(column, row);
+        self.segments_from(slot.map_or(NONE, |slot| self.cells[slot as usize].segments))
     }
 
-    /// Adds an item to a cell. The link from which on its list has the items that were there.
-    pub fn add(&mut self, cell: u64, item: u32) -> u32 {
-        let (block, i) = Self::place(cell);
-        let block = *self.blocks.entry(block).or_insert_with(|| {
-            self.vacant.pop().unwrap_or_else(|| {
-                self.heads.push([NONE; 16]);
-                self.heads.len() as u32 - 1
-            })
-        });
-        let head = &mut self.heads[block as usize][i];
-        let (link, before) = (Link { item, next: *head }, *head);
+    /// Adds a segment to a cell. The link from which on its list has the segments that were there.
+    pub fn add_segment(&mut self, slot: Slot, segment: u32) -> u32 {
+        let head = &mut self.cells[slot as usize].segments;
+        let before = *head;
+        let link = Link {
+            segment,
+            next: before,
+        };
         if self.free == NONE {
             *head = self.links.len() as u32;
             self.links.push(link);
@@ -165,15 +230,20 @@ impl Buckets {
         before
     }
 
-    /// Removes an item from a cell, if it is there.
-    pub fn remove(&mut self, cell: u64, item: u32) {
-        let (block, i) = Self::place(cell);
-        let Some(&index) = self.blocks.get(&block) else {
-            return;
-        };
-        let heads = &mut self.heads[index as usize];
-        let (mut before, mut at) = (NONE, heads[i]);
-        while at != NONE && self.links[at as usize].item != item {
+    /// Removes a segment from all cells that it is in.
+    pub fn remove_segment(&mut self, a: Point, b: Point, segment: u32) {
+        Self::along(self.shift, a, b, |column, row| {
+            if let Some(slot) = self.find(column, row) {
+                self.unlink(slot, segment);
+                self.tidy(slot, column, row);
+            }
+        });
+    }
+
+    fn unlink(&mut self, slot: Slot, segment: u32) {
+        let head = &mut self.cells[slot as usize].segments;
+        let (mut before, mut at) = (NONE, *head);
+        while at != NONE && self.links[at as usize].segment != segment {
             (before, at) = (at, self.links[at as usize].next);
         }
         if at == NONE {
@@ -181,15 +251,88 @@ impl Buckets {
         }
         let next = std::mem::replace(&mut self.links[at as usize].next, self.free);
         self.free = at;
-        if before != NONE {
-            self.links[before as usize].next = next;
-        } else {
-            heads[i] = next;
-            if *heads == [NONE; 16] {
-                self.blocks.remove(&block);
-                self.vacant.push(index);
-            }
+        match self.links.get_mut(before as usize) {
+            Some(link) => link.next = next,
+            None => *head = next,
         }
+    }
+}
+
+// Pixels.
+impl Buckets {
+    /// One more than the largest vertex id in use so far.
+    pub fn vertex_count(&self) -> usize {
+        self.pixels.len()
+    }
+
+    /// The point of a vertex; that of an unused id means nothing.
+    #[inline]
+    pub fn point(&self, v: VertexId) -> Point {
+        self.pixels[v.index()].point
+    }
+
+    /// The hot pixels in a cell.
+    #[inline]
+    pub fn pixels(&self, slot: Slot) -> impl Iterator<Item = (VertexId, Point)> + '_ {
+        let mut at = self.cells[slot as usize].pixels;
+        std::iter::from_fn(move || {
+            let v = VertexId(at);
+            let pixel = self.pixels.get(v.index())?;
+            at = pixel.next;
+            Some((v, pixel.point))
+        })
+    }
+
+    /// The hot pixels in the cell of a point and in the eight around it, its own first.
+    pub fn pixels_around(&self, p: Point) -> impl Iterator<Item = VertexId> + '_ {
+        let (column, row) = self.cell_of(p);
+        let order = [0, -1, 1];
+        let cells = order
+            .into_iter()
+            .flat_map(move |dx| order.map(|dy| (column + dx, row + dy)));
+        cells
+            .filter_map(|(column, row)| self.find(column, row))
+            .flat_map(|slot| self.pixels(slot).map(|pixel| pixel.0))
+    }
+
+    /// Makes the pixel of a point hot, with the vertex that `name` gives it; nothing if it is hot.
+    pub fn heat(&mut self, p: Point, name: impl FnOnce(&Self) -> VertexId) -> Option<VertexId> {
+        let (column, row) = self.cell_of(p);
+        let slot = self.slot(column, row);
+        if self.pixels(slot).any(|pixel| pixel.1 == p) {
+            return None;
+        }
+        let v = name(self);
+        let head = &mut self.cells[slot as usize].pixels;
+        let pixel = Pixel {
+            point: p,
+            next: std::mem::replace(head, v.0),
+        };
+        match self.pixels.get_mut(v.index()) {
+            Some(free) => *free = pixel,
+            None => self.pixels.push(pixel),
+        }
+        Some(v)
+    }
+
+    /// Forgets a hot pixel.
+    pub fn cool(&mut self, v: VertexId) {
+        let Pixel { point, next } = self.pixels[v.index()];
+        let (column, row) = self.cell_of(point);
+        let Some(slot) = self.find(column, row) else {
+            return;
+        };
+        let head = &mut self.cells[slot as usize].pixels;
+        if *head == v.0 {
+            *head = next;
+            self.tidy(slot, column, row);
+            return;
+        }
+        let mut before = *head as usize;
+        while self.pixels[before].next != v.0 {
+            before = self.pixels[before].next as usize;
+        }
+        self.pixels[before].next = next;
     }
 }
 
@@ -200,14 +343,14 @@ mod tests {
 
     #[test]
     fn every_pixel_that_a_segment_meets_is_in_one_of_its_cells() {
-        let buckets = Buckets::new(2);
-        let mut cells = Vec::new();
+        let buckets = Buckets::new(2, &[]);
         let points: Vec<Point> = (-5..6)
             .flat_map(|x| (-6..5).map(move |y| Point::new(x, y)))
             .collect();
         for &a in &points {
             for &b in &points {
-                buckets.cells_along(a, b, &mut cells);
+                let mut cells = Vec::new();
+                Buckets::along(buckets.shift, a, b, |column, row| cells.push((column, row)));
                 let met = points.iter().filter(|&&p| meets_pixel(a, b, p));
                 let missed = met
                     .map(|&p| buckets.cell_of(p))
@@ -222,52 +365,79 @@ mod tests {
     }
 
     #[test]
-    fn items_come_and_go() {
-        let mut buckets = Buckets::new(3);
-        for (cell, item) in [(1, 10), (1, 11), (2, 10), (1, 12)] {
-            buckets.add(cell, item);
+    fn segments_come_and_go() {
+        let mut buckets = Buckets::new(3, &[]);
+        let at = |x: i32| (Point::new(x, 3), Point::new(x, 4));
+        for (x, segment) in [(4, 10), (4, 11), (12, 10), (4, 12)] {
+            let mut slots = Vec::new();
+            buckets.slots_along(at(x).0, at(x).1, &mut slots);
+            assert_eq!(slots.len(), 1, "all in one cell");
+            buckets.add_segment(slots[0], segment);
         }
-        let items = |buckets: &Buckets, cell| buckets.items(cell).collect::<Vec<_>>();
-        assert_eq!(items(&buckets, 1), [12, 11, 10]);
-        buckets.remove(1, 11);
-        buckets.remove(1, 99);
+        let all = |buckets: &Buckets, x| buckets.segments_at(at(x).0).collect::<Vec<_>>();
+        let remove = |buckets: &mut Buckets, x, segment| {
+            buckets.remove_segment(at(x).0, at(x).1, segment);
+        };
+        assert_eq!(all(&buckets, 4), [12, 11, 10]);
+        remove(&mut buckets, 4, 11);
+        remove(&mut buckets, 4, 99);
         assert_eq!(
-            (items(&buckets, 1), items(&buckets, 2)),
+            (all(&buckets, 4), all(&buckets, 12)),
             (vec![12, 10], vec![10])
         );
-        buckets.remove(1, 12);
-        buckets.remove(1, 10);
-        buckets.add(3, 7);
+        remove(&mut buckets, 4, 12);
+        remove(&mut buckets, 4, 10);
+        remove(&mut buckets, 12, 10);
+        let far = (1 << 20) + 4;
+        let mut slots = Vec::new();
+        buckets.slots_along(at(far).0, at(far).1, &mut slots);
+        buckets.add_segment(slots[0], 1);
+        assert_eq!((all(&buckets, 4), all(&buckets, far)), (vec![], vec![1]));
         assert_eq!(buckets.links.len(), 4, "links are used again");
-        let [near, far] = [0, 1 << 20].map(|x| buckets.cell_of(Point::new(x, 0)));
-        buckets.remove(3, 7);
-        buckets.remove(2, 10);
-        buckets.add(far, 1);
-        assert_eq!(buckets.heads.len(), 1, "and so are blocks");
-        assert_eq!(
-            (items(&buckets, near), items(&buckets, far)),
-            (vec![], vec![1])
-        );
+        assert_eq!(buckets.cells.len(), BLOCK, "and so are blocks");
+    }
+
+    /// Hot pixels with vertices from 20 on.
+    fn heated(points: &[(i32, i32)]) -> Buckets {
+        let mut buckets = Buckets::new(3, &[Point::new(0, 0); 20]);
+        for &(x, y) in points {
+            let next = |b: &Buckets| VertexId(b.vertex_count() as u32);
+            let v = buckets.heat(Point::new(x, y), next);
+            assert!(v.is_some(), "not hot yet");
+        }
+        buckets
     }
 
     #[test]
-    fn items_around_a_point_are_those_of_nine_cells() {
-        let mut buckets = Buckets::new(3);
-        for (item, at) in [
-            (20, (-1, 8)),
-            (21, (7, 15)),
-            (22, (8, 0)),
-            (23, (16, 8)),
-            (24, (7, -1)),
-        ] {
-            buckets.add(buckets.cell_of(Point::new(at.0, at.1)), item);
-        }
-        let around = |x: i32, y: i32| buckets.items_around(Point::new(x, y)).collect::<Vec<_>>();
-        assert_eq!(
-            around(0, 8),
-            [21, 20, 22],
-            "its own cell first, then by columns"
-        );
+    fn pixels_around_a_point_are_those_of_nine_cells() {
+        let buckets = heated(&[(-1, 8), (7, 15), (8, 0), (16, 8), (7, -1)]);
+        let around = |x: i32, y: i32| {
+            let all = buckets.pixels_around(Point::new(x, y)).map(|v| v.0);
+            all.collect::<Vec<_>>()
+        };
+        let own_first = "its own cell first, then by columns";
+        assert_eq!(around(0, 8), [21, 20, 22], "{own_first}");
         assert_eq!(around(8, 0), [22, 24, 21, 23]);
+    }
+
+    #[test]
+    fn pixels_heat_up_and_cool_down() {
+        let points = [(1, 1), (2, 2), (3, 3), (40, 1)];
+        for order in [[0, 1, 2], [2, 1, 0], [1, 0, 2], [1, 2, 0]] {
+            let mut buckets = heated(&points);
+            let again = buckets.heat(Point::new(2, 2), |_| VertexId(99));
+            assert_eq!(again, None, "it is hot");
+            for (gone, i) in order.into_iter().enumerate() {
+                buckets.cool(VertexId(20 + i));
+                assert_eq!(buckets.pixels_around(Point::new(1, 1)).count(), 2 - gone);
+            }
+            buckets.cool(VertexId(23));
+            assert_eq!(
+                buckets.heat(Point::new(99, 9), |_| VertexId(21)),
+                Some(VertexId(21))
+            );
+            assert_eq!(buckets.point(VertexId(21)), Point::new(99, 9));
+            assert!(buckets.cells.len() <= 2 * BLOCK, "blocks are used again");
+        }
     }
 }

@@ -69,9 +69,9 @@ impl Mesh {
         for entry in &batch {
             check(entry)?;
         }
+        let mut mesh = Mesh::empty(usual_shift(&batch));
         // Neighbours in the plane become neighbours in memory.
         batch.sort_by_cached_key(|entry| entry.edges.first().map(|e| hilbert(e.a)));
-        let mut mesh = Mesh::empty(usual_shift(&batch));
         mesh.put(&batch);
         mesh.spread_first();
         Ok(mesh)
@@ -182,10 +182,9 @@ impl Mesh {
             self.winds[id.index()] = winds;
         }
         self.covers.set_region(feature, kind == Kind::Region);
-        let source = |(&id, edge): (&SegmentId, &ExpandedEdge)| (edge.source, id);
-        let mut by_source: Vec<_> = ids.iter().zip(edges).map(source).collect();
-        by_source.sort_unstable();
         let segments = ids.to_vec();
+        let mut by_source = segments.clone();
+        by_source.sort_unstable_by_key(|&s| (self.segments[s.index()].source, s));
         self.features.insert(
             feature,
             Feature {
@@ -214,13 +213,16 @@ impl Mesh {
         }
         self.triangulation.legalise();
         self.triangulation.reserve(diff.born.len());
+        self.uses
+            .reserve(3 * diff.born.len(), diff.added.len() + diff.born.len());
         let first = diff.born.first();
         if let Some(v) = first.and_then(|&first| self.neighbour(first)) {
             self.triangulation.start_at(v.0);
         }
         for step in SAMPLES {
             for &segment in diff.added.iter().step_by(step) {
-                self.settle(self.arrangement.chain(segment)[0]);
+                let v = self.arrangement.chain(segment)[0];
+                settle(&mut self.triangulation, &self.arrangement, v);
             }
         }
         // Every other new vertex is on an added chain, too: its place is found from the vertex before.
@@ -239,30 +241,27 @@ impl Mesh {
             has_fronts: self.kinds[segment.index()].has_fronts(),
             winds: self.winds[segment.index()],
         };
-        let count = stretch.map_or_else(|| self.arrangement.chain(segment).len(), <[_]>::len);
-        let at = |mesh: &Mesh, i: usize| stretch.unwrap_or(mesh.arrangement.chain(segment))[i];
-        for i in 0..count {
-            let v = at(self, i);
-            self.settle(v);
-            if i > 0 {
-                let e = self.triangulation.enforce(at(self, i - 1).0, v.0);
-                self.uses.add(e, segment, owner, &self.segments);
+        let Mesh {
+            arrangement,
+            triangulation,
+            uses,
+            segments,
+            ..
+        } = self;
+        let mut before = None;
+        for &v in stretch.unwrap_or(arrangement.chain(segment)) {
+            settle(triangulation, arrangement, v);
+            if let Some(before) = before {
+                let e = triangulation.enforce(before, v.0);
+                uses.add(e, segment, owner, segments);
             }
+            before = Some(v.0);
         }
-    }
-
-    /// Inserts a vertex into the triangulation, if it is not there, and lets the next one look for its place from there.
-    fn settle(&mut self, v: VertexId) {
-        if !self.triangulation.topology.has_vertex(v.0) {
-            let point = self.arrangement.points()[v.index()];
-            self.triangulation.insert(v.0, point);
-        }
-        self.triangulation.start_at(v.0);
     }
 
     /// A vertex of the triangulation near one that is not in it yet: a short way to where it belongs, however large the mesh.
     fn neighbour(&self, v: VertexId) -> Option<VertexId> {
-        let p = self.arrangement.points()[v.index()];
+        let p = self.arrangement.point(v);
         let is_there = |v: &VertexId| self.triangulation.topology.has_vertex(v.0);
         self.arrangement.near(p).find(is_there)
     }
@@ -275,6 +274,14 @@ impl Mesh {
             .edge_between(pair[0].0, pair[1].0);
         edge.expect("each piece of a chain is an edge")
     }
+}
+
+/// Inserts a vertex into the triangulation, if it is not there, and lets the next one look for its place from there.
+fn settle(triangulation: &mut Triangulation, arrangement: &Arrangement, v: VertexId) {
+    if !triangulation.topology.has_vertex(v.0) {
+        triangulation.insert(v.0, arrangement.point(v));
+    }
+    triangulation.start_at(v.0);
 }
 
 /// Checks the edges of a feature at the door.

@@ -215,7 +215,7 @@ struct Feature {
     /// In the order in which they were given.
     segments: Vec<SegmentId>,
     /// The same by source.
-    by_source: Vec<(Source, SegmentId)>,
+    by_source: Vec<SegmentId>,
     /// Whether it covers what its edges wind around: solids and regions do whose edges form one closed chain.
     winds: bool,
 }
@@ -419,8 +419,9 @@ impl Mesh {
     /// The feature edge of a feature with a given source.
     pub fn segment_of(&self, feature: FeatureId, source: Source) -> Option<SegmentId> {
         let by_source = &self.features.get(&feature)?.by_source;
-        let i = by_source.binary_search_by_key(&source, |s| s.0).ok()?;
-        Some(by_source[i].1)
+        let source_of = |s: &SegmentId| self.segment(*s).source;
+        let i = by_source.binary_search_by_key(&source, source_of).ok()?;
+        Some(by_source[i])
     }
 
     /// All feature edges of a feature, in the order in which they were given.

@@ -8,7 +8,7 @@
 //! originals, never pieces. An edit is a batch: it reports the pixels that heat up or cool down, and each
 //! segment whose chain changes because of that.
 
-use super::buckets::Buckets;
+use super::buckets::{Buckets, Slot};
 use super::short::Short;
 use super::{SegmentId, VertexId};
 use crate::geom::Point;
@@ -17,14 +17,8 @@ use crate::geom::predicates::{crosses, crossing_pixel, meets_pixel};
 /// The vertices of a chain; most chains have few.
 pub type Chain = Short<VertexId, 6>;
 
-/// Ends and chain of one original segment.
-#[derive(Clone, Debug)]
-struct Original {
-    a: Point,
-    b: Point,
-    /// The hot pixels it meets, from a to b; empty while the id is unused.
-    chain: Chain,
-}
+/// About so many cells a segment has.
+const CELLS: usize = 4;
 
 /// What an edit does to the mesh.
 #[derive(Clone, Debug, Default)]
@@ -54,16 +48,14 @@ pub struct Reroute {
 /// All segments, all hot pixels, and where they are.
 #[derive(Clone, Debug)]
 pub struct Arrangement {
-    originals: Vec<Original>,
+    /// Ends of each original segment; those of unused ids mean nothing.
+    ends: Vec<(Point, Point)>,
+    /// The hot pixels that each meets, from its start to its end; none of unused ids.
+    chains: Vec<Chain>,
     free_segments: Vec<SegmentId>,
-    /// Point of each hot pixel by vertex id.
-    points: Vec<Point>,
     free_vertices: Vec<VertexId>,
-    segments: Buckets,
-    pixels: Buckets,
-    /// Scratch: cells of the segment being looked at.
-    cells: Vec<u64>,
-    /// Scratch: its crossings with others.
+    buckets: Buckets,
+    /// Scratch: crossings of a segment with others.
     crossings: Vec<Point>,
     /// Scratch: a chain.
     chain: Vec<VertexId>,
@@ -75,37 +67,35 @@ impl Arrangement {
     /// `shift` is the binary logarithm of the cell size in steps: about the usual length of a segment is best.
     pub fn new(shift: u32, reserved: &[Point]) -> Self {
         Arrangement {
-            originals: Vec::new(),
+            ends: Vec::new(),
+            chains: Vec::new(),
             free_segments: Vec::new(),
-            points: reserved.to_vec(),
             free_vertices: Vec::new(),
-            segments: Buckets::new(shift),
-            pixels: Buckets::new(shift),
-            cells: Vec::new(),
+            buckets: Buckets::new(shift, reserved),
             crossings: Vec::new(),
             chain: Vec::new(),
         }
     }
 
-    /// Points by vertex id; those of unused ids mean nothing.
-    pub fn points(&self) -> &[Point] {
-        &self.points
+    /// The point of a vertex; that of an unused id means nothing.
+    #[inline]
+    pub fn point(&self, v: VertexId) -> Point {
+        self.buckets.point(v)
     }
 
     /// The chain of a segment.
     pub fn chain(&self, segment: SegmentId) -> &[VertexId] {
-        &self.originals[segment.index()].chain
+        &self.chains[segment.index()]
     }
 
     /// The hot pixels near a grid point, in no particular order; there may be others that are as near.
     pub fn near(&self, p: Point) -> impl Iterator<Item = VertexId> + '_ {
-        self.pixels.items_around(p).map(VertexId)
+        self.buckets.pixels_around(p)
     }
 
     /// Ends of a segment.
     pub fn ends(&self, segment: SegmentId) -> (Point, Point) {
-        let s = &self.originals[segment.index()];
-        (s.a, s.b)
+        self.ends[segment.index()]
     }
 
     /// Adds segments (each of some length) and removes others. Returns what changes.
@@ -117,19 +107,33 @@ impl Arrangement {
             let (old, new) = (self.unregister(segment), Chain::default());
             diff.rerouted.push(Reroute { segment, old, new });
         }
-        let survivors = self.originals.len() > self.free_segments.len() + remove.len();
-        self.originals.reserve(add.len());
+        let survivors = self.ends.len() > self.free_segments.len() + remove.len();
+        self.ends.reserve(add.len());
+        self.chains.reserve(add.len());
+        // The slots of each, up to an index.
+        let mut slots = Vec::with_capacity(CELLS * add.len());
+        let mut spans = Vec::with_capacity(add.len());
         for &(a, b) in add {
-            let segment = self.register(a, b, &mut diff.born);
+            self.buckets.slots_along(a, b, &mut slots);
+            spans.push(slots.len());
+        }
+        self.buckets.reserve(slots.len());
+        let starts = std::iter::once(0).chain(spans.iter().copied());
+        let spans = starts.zip(&spans).map(|(from, &to)| &slots[from..to]);
+        for (&(a, b), slots) in add.iter().zip(spans.clone()) {
+            let segment = self.register(a, b, slots, &mut diff.born);
             diff.added.push(segment);
         }
         diff.dead = self.cooled(&diff.rerouted);
         if survivors {
             self.reroute_survivors(&mut diff);
         }
-        self.bury(&diff.dead);
-        for &segment in &diff.added {
-            self.originals[segment.index()].chain = self.find_chain(segment);
+        for &v in &diff.dead {
+            self.buckets.cool(v);
+            self.free_vertices.push(v);
+        }
+        for (&segment, slots) in diff.added.iter().zip(spans) {
+            self.chains[segment.index()] = self.find_chain(segment, slots);
         }
         self.free_segments.extend(remove.iter().rev());
         diff
@@ -138,36 +142,35 @@ impl Arrangement {
     /// Takes a segment out of the buckets; returns its chain.
     fn unregister(&mut self, segment: SegmentId) -> Chain {
         let (a, b) = self.ends(segment);
-        self.segments.cells_along(a, b, &mut self.cells);
-        for &cell in &self.cells {
-            self.segments.remove(cell, segment.0);
-        }
-        std::mem::take(&mut self.originals[segment.index()].chain)
+        self.buckets.remove_segment(a, b, segment.0);
+        std::mem::take(&mut self.chains[segment.index()])
     }
 
-    /// Puts a segment into the buckets and heats its ends and its crossings with those that are there.
-    fn register(&mut self, a: Point, b: Point, born: &mut Vec<VertexId>) -> SegmentId {
-        let segment = self
-            .free_segments
-            .pop()
-            .unwrap_or(SegmentId(self.originals.len() as u32));
-        let original = Original {
-            a,
-            b,
-            chain: Chain::default(),
+    /// Puts a segment into its cells and heats its ends and its crossings with those that are there.
+    fn register(
+        &mut self,
+        a: Point,
+        b: Point,
+        slots: &[Slot],
+        born: &mut Vec<VertexId>,
+    ) -> SegmentId {
+        let segment = match self.free_segments.pop() {
+            Some(free) => {
+                self.ends[free.index()] = (a, b);
+                free
+            }
+            None => {
+                self.ends.push((a, b));
+                self.chains.push(Chain::default());
+                SegmentId(self.ends.len() as u32 - 1)
+            }
         };
-        match self.originals.get_mut(segment.index()) {
-            Some(free) => *free = original,
-            None => self.originals.push(original),
-        }
         self.heat(a, born);
         self.heat(b, born);
-        let mut cells = std::mem::take(&mut self.cells);
         let mut crossings = std::mem::take(&mut self.crossings);
-        self.segments.cells_along(a, b, &mut cells);
-        for &cell in &cells {
-            let others = self.segments.add(cell, segment.0);
-            for other in self.segments.items_from(others) {
+        for &slot in slots {
+            let others = self.buckets.add_segment(slot, segment.0);
+            for other in self.buckets.segments_from(others) {
                 let (c, d) = self.ends(SegmentId(other));
                 if boxes_meet((a, b), (c, d)) && crosses(a, b, c, d) {
                     crossings.push(crossing_pixel(a, b, c, d));
@@ -177,41 +180,27 @@ impl Arrangement {
         for p in crossings.drain(..) {
             self.heat(p, born);
         }
-        (self.cells, self.crossings) = (cells, crossings);
+        self.crossings = crossings;
         segment
     }
 
     /// Makes the pixel of a grid point hot, if it is not.
     fn heat(&mut self, p: Point, born: &mut Vec<VertexId>) {
-        let cell = self.pixels.cell_of(p);
-        if self
-            .pixels
-            .items(cell)
-            .any(|v| self.points[v as usize] == p)
-        {
-            return;
-        }
-        let v = self
-            .free_vertices
-            .pop()
-            .unwrap_or(VertexId(self.points.len() as u32));
-        match self.points.get_mut(v.index()) {
-            Some(free) => *free = p,
-            None => self.points.push(p),
-        }
-        born.push(v);
-        self.pixels.add(cell, v.0);
+        let free = &mut self.free_vertices;
+        let name = |buckets: &Buckets| {
+            let next = VertexId(buckets.vertex_count() as u32);
+            free.pop().unwrap_or(next)
+        };
+        born.extend(self.buckets.heat(p, name));
     }
 
     /// Segments in the buckets that meet the pixel of a grid point.
     fn meeting(&self, p: Point) -> impl Iterator<Item = SegmentId> + '_ {
-        self.segments
-            .items(self.segments.cell_of(p))
-            .map(SegmentId)
-            .filter(move |&segment| {
-                let (a, b) = self.ends(segment);
-                meets_pixel(a, b, p)
-            })
+        let near = self.buckets.segments_at(p).map(SegmentId);
+        near.filter(move |&segment| {
+            let (a, b) = self.ends(segment);
+            meets_pixel(a, b, p)
+        })
     }
 
     /// The vertices on old chains whose pixels no end and no crossing holds any more, ascending.
@@ -220,7 +209,7 @@ impl Arrangement {
             removed.iter().flat_map(|r| r.old.iter().copied()).collect();
         candidates.sort_unstable();
         candidates.dedup();
-        candidates.retain(|&v| !self.has_reason(self.points[v.index()]));
+        candidates.retain(|&v| !self.has_reason(self.point(v)));
         candidates
     }
 
@@ -240,9 +229,9 @@ impl Arrangement {
     fn reroute_survivors(&mut self, diff: &mut Diff) {
         let mut changes: Vec<(SegmentId, VertexId)> = Vec::with_capacity(64);
         for &v in diff.born.iter().chain(&diff.dead) {
-            let stays = |&segment: &SegmentId| !self.originals[segment.index()].chain.is_empty();
+            let stays = |&segment: &SegmentId| !self.chain(segment).is_empty();
             changes.extend(
-                self.meeting(self.points[v.index()])
+                self.meeting(self.point(v))
                     .filter(stays)
                     .map(|segment| (segment, v)),
             );
@@ -252,13 +241,13 @@ impl Arrangement {
         for change in changes.chunk_by(|x, y| x.0 == y.0) {
             let segment = change[0].0;
             let lives = |v: &VertexId| diff.dead.binary_search(v).is_err();
-            let old = &self.originals[segment.index()].chain;
+            let old = self.chain(segment);
             let joins = change.iter().map(|&(_, v)| v);
             new.clear();
             new.extend(old.iter().copied().chain(joins).filter(lives));
             self.sort_along(segment, &mut new);
             let (old, changed) = differing(old, &new);
-            self.originals[segment.index()].chain = Chain::from(new.as_slice());
+            self.chains[segment.index()] = Chain::from(new.as_slice());
             diff.rerouted.push(Reroute {
                 segment,
                 old,
@@ -268,28 +257,15 @@ impl Arrangement {
         self.chain = new;
     }
 
-    /// Forgets pixels that cooled down.
-    fn bury(&mut self, dead: &[VertexId]) {
-        for &v in dead {
-            let p = self.points[v.index()];
-            self.pixels.remove(self.pixels.cell_of(p), v.0);
-            self.free_vertices.push(v);
-        }
-    }
-
     /// The hot pixels that a segment meets, from end to end.
-    fn find_chain(&mut self, segment: SegmentId) -> Chain {
+    fn find_chain(&mut self, segment: SegmentId, slots: &[Slot]) -> Chain {
         let (a, b) = self.ends(segment);
         let mut chain = std::mem::take(&mut self.chain);
         chain.clear();
-        self.pixels.cells_along(a, b, &mut self.cells);
-        for &cell in &self.cells {
-            chain.extend(
-                self.pixels
-                    .items(cell)
-                    .map(VertexId)
-                    .filter(|&v| meets_pixel(a, b, self.points[v.index()])),
-            );
+        for &slot in slots {
+            let near = self.buckets.pixels(slot);
+            let met = near.filter(|pixel| meets_pixel(a, b, pixel.1));
+            chain.extend(met.map(|pixel| pixel.0));
         }
         self.sort_along(segment, &mut chain);
         let found = Chain::from(chain.as_slice());
@@ -305,7 +281,7 @@ impl Arrangement {
             i64::from((b.y - a.y).signum()),
         );
         chain.sort_unstable_by_key(|&v| {
-            let p = self.points[v.index()];
+            let p = self.point(v);
             x * i64::from(p.x) + y * i64::from(p.y)
         });
     }

@@ -25,6 +25,12 @@ struct QuadEdge {
     data: [u32; 4],
 }
 
+/// A record that is not in use.
+const UNUSED: QuadEdge = QuadEdge {
+    next: [NONE; 4],
+    data: [NONE; 4],
+};
+
 /// The dual edge that crosses from the right face to the left one.
 #[inline]
 pub const fn rot(q: Quarter) -> Quarter {
@@ -108,13 +114,12 @@ impl Topology {
         self.origin(self.lprev(q))
     }
 
-    /// Start, end, left and right corner of the quadrangle around an edge.
+    /// Start and end of an edge, and the corner of the triangle on its right that is neither.
     #[inline]
-    pub fn quadrangle(&self, q: Quarter) -> [u32; 4] {
+    pub fn triangle_beyond(&self, q: Quarter) -> [u32; 3] {
         let QuadEdge { next, data } = self.quads[(q >> 2) as usize];
         let (here, there) = ((q & 3) as usize, (sym(q) & 3) as usize);
-        let (left, right) = (self.dest(next[here]), self.dest(next[there]));
-        [data[here], data[there], left, right]
+        [data[here], data[there], self.dest(next[there])]
     }
 
     /// One edge that starts at a vertex.
@@ -229,19 +234,23 @@ impl Topology {
 
     /// A loose edge between two vertices: `make_edge` of the paper.
     fn make_edge(&mut self, v: u32, w: u32) -> Quarter {
-        let quad = self.free_quads.pop().unwrap_or(self.quads.len() as u32);
-        let q = 4 * quad;
-        let edge = QuadEdge {
+        let q = self.make_quad();
+        self.quads[(q >> 2) as usize] = QuadEdge {
             next: [q, q + 3, q + 2, q + 1],
             data: [v, NONE, w, NONE],
         };
-        match self.quads.get_mut(quad as usize) {
-            Some(free) => *free = edge,
-            None => self.quads.push(edge),
-        }
         self.vertex_edge[v as usize] = q;
         self.vertex_edge[w as usize] = sym(q);
         q
+    }
+
+    /// A record to be filled.
+    fn make_quad(&mut self) -> Quarter {
+        let quad = self.free_quads.pop().unwrap_or_else(|| {
+            self.quads.push(UNUSED);
+            self.quads.len() as u32 - 1
+        });
+        4 * quad
     }
 
     /// Joins the rings of a and b if they are apart and parts them if they are one; so, too, for the dual rings.
@@ -338,12 +347,25 @@ impl Topology {
         let (n1, n2) = (rot(next[q_dual]), sym(next[q]));
         let (m1, m2) = (rot(next[p_dual]), sym(next[p]));
         let [o, d, f, g] = [data[q], data[p], data[q_dual], data[p_dual]];
-        self.set_ends(e, self.origin(m2), self.origin(n2));
+        let mut turned = QuadEdge { next, data };
+        turned.data[q] = self.origin(m2);
+        turned.data[p] = self.origin(n2);
+        turned.next[q] = sym(m1);
+        turned.next[p] = sym(n1);
+        turned.next[q_dual] = inv_rot(n2);
+        turned.next[p_dual] = inv_rot(m2);
+        self.quads[(e >> 2) as usize] = turned;
         // The rings of o and d lose the edge.
         self.vertex_edge[o as usize] = m1;
         self.vertex_edge[d as usize] = n1;
-        self.set_triangle([e, n2, m1], f);
-        self.set_triangle([sym(e), m2, n1], g);
+        self.set_side(n2, e, m1, f);
+        self.set_side(m1, n2, e, f);
+        self.set_side(m2, sym(e), n1, g);
+        self.set_side(n1, m2, sym(e), g);
+        self.face_edge[f as usize] = e;
+        self.face_edge[g as usize] = sym(e);
+        self.touch(f);
+        self.touch(g);
     }
 
     /// Puts the new vertex v into a face; returns an edge that starts at v.
@@ -361,13 +383,28 @@ impl Topology {
         if self.vertex_edge.len() <= v as usize {
             self.vertex_edge.resize(v as usize + 1, NONE);
         }
-        let p = self.make_edge(v, self.origin(x));
-        let q = self.make_edge(v, self.origin(y));
-        let r = self.make_edge(v, self.origin(z));
+        let [a, b, c] = [x, y, z].map(|side| self.origin(side));
         let (g, h) = (self.make_face(), self.make_face());
-        self.set_triangle([x, sym(q), p], face);
-        self.set_triangle([y, sym(r), q], g);
-        self.set_triangle([z, sym(p), r], h);
+        let [p, q, r] = [(); 3].map(|()| self.make_quad());
+        for (spoke, ring, sides, faces, corner) in [
+            (p, [q, r], [x, z], [face, h], a),
+            (q, [r, p], [y, x], [g, face], b),
+            (r, [p, q], [z, y], [h, g], c),
+        ] {
+            // Of each pair the first is counter-clockwise of the spoke, and the other clockwise.
+            self.quads[(spoke >> 2) as usize] = QuadEdge {
+                next: [ring[0], inv_rot(ring[1]), sym(sides[1]), inv_rot(sides[0])],
+                data: [v, faces[1], corner, faces[0]],
+            };
+        }
+        self.vertex_edge[v as usize] = p;
+        self.set_side(x, p, sym(q), face);
+        self.set_side(y, q, sym(r), g);
+        self.set_side(z, r, sym(p), h);
+        self.face_edge[face as usize] = x;
+        self.face_edge[g as usize] = y;
+        self.face_edge[h as usize] = z;
+        [face, g, h].into_iter().for_each(|f| self.touch(f));
         p
     }
 
@@ -384,10 +421,7 @@ impl Topology {
         let faces = [p, q, r].map(|spoke| self.left(spoke));
         sides.iter().for_each(|&side| self.anchor(side));
         for spoke in [p, q, r] {
-            self.quads[(spoke >> 2) as usize] = QuadEdge {
-                next: [NONE; 4],
-                data: [NONE; 4],
-            };
+            self.quads[(spoke >> 2) as usize] = UNUSED;
             self.free_quads.push(spoke >> 2);
         }
         for face in [faces[1], faces[2]] {

@@ -96,8 +96,14 @@ impl Triangulation {
     /// Whether a free edge is legal.
     #[inline]
     pub fn is_legal(&self, e: Quarter) -> bool {
-        let [o, d, l, r] = self.topology.quadrangle(e);
-        let (o, d, l, r) = (self.point(o), self.point(d), self.point(l), self.point(r));
+        self.is_legal_from(e, self.point(self.topology.apex(e)))
+    }
+
+    /// The same, given the corner on its left.
+    #[inline]
+    fn is_legal_from(&self, e: Quarter, l: Point) -> bool {
+        let [o, d, r] = self.topology.triangle_beyond(e);
+        let (o, d, r) = (self.point(o), self.point(d), self.point(r));
         match in_circle(o, d, l, r).cmp(&0) {
             Ordering::Less => true,
             Ordering::Greater => false,
@@ -157,9 +163,10 @@ impl Triangulation {
                 break;
             }
         }
+        let p = self.point(v);
         while opposite.len() > settled {
             let Some(e) = opposite.pop() else { break };
-            if !self.is_fixed(e) && !self.is_legal(e) {
+            if !self.is_fixed(e) && !self.is_legal_from(e, p) {
                 // v is the left corner; beyond are the two sides of the right triangle.
                 let (m1, m2) = (self.topology.lnext(sym(e)), self.topology.lprev(sym(e)));
                 self.topology.flip(e);

@@ -90,6 +90,12 @@ impl Uses {
         })
     }
 
+    /// Makes room for so many more edges, and for so many more uses of them.
+    pub fn reserve(&mut self, edges: usize, uses: usize) {
+        self.edges.reserve(edges);
+        self.links.reserve(uses);
+    }
+
     /// Adds a use of an edge by a segment that runs in the direction of `e`.
     pub fn add(&mut self, e: Quarter, segment: SegmentId, owner: Owner, segments: &[Segment]) {
         if self.edges.len() <= (e >> 2) as usize {
