@@ -177,6 +177,9 @@ impl Arrangement {
                 }
             }
         }
+        // Many may lie in the same pixel, and each is found in every cell that it has in common with the other segment.
+        crossings.sort_unstable();
+        crossings.dedup();
         for p in crossings.drain(..) {
             self.heat(p, born);
         }
