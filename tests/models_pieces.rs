@@ -2,6 +2,7 @@
 
 use edgewalker::level::SceneryKind;
 use edgewalker::pieces::{Piece, Pieces};
+use glam::Vec3;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -124,6 +125,27 @@ fn the_wind_moves_what_is_light_and_not_what_is_stone() {
     }
     for name in ["pillar", "tomb", "rubble", "gate"] {
         assert_eq!(pieces.get(name).unwrap().sway, 0.0, "{name}");
+    }
+}
+
+/// Whether a colour, linear, is the gold that says: this can be climbed.
+fn is_gold(colour: Vec3) -> bool {
+    let [red, green, blue] = colour.to_array();
+    red > 0.4 && (0.4..0.7).contains(&(green / red)) && blue / red < 0.1
+}
+
+/// So a stranger can tell what can be climbed from what only looks as if.
+#[test]
+fn gold_is_on_what_can_be_climbed_and_on_nothing_else() {
+    let climbed = ["chain_metre", "ladder_metre", "vine_metre"];
+    for (name, piece) in pieces().iter() {
+        let matte = piece.facets.iter().filter(|facet| !facet.glows);
+        let gold = matte.filter(|facet| facet.corners.iter().all(|c| is_gold(c.colour)));
+        let count = gold.count();
+        match climbed.contains(&name) {
+            true => assert!(count >= 8, "{name}: {count} golden facets"),
+            false => assert_eq!(count, 0, "{name} looks as if it could be climbed"),
+        }
     }
 }
 

@@ -4,7 +4,7 @@ import math
 
 from pieces_kit import BRASS, IRON, OLD_WOOD, ROPE, Paint, Piece
 
-OCHRE = Paint(0xBE8B3C, 0.10)
+PLUM = Paint(0x73566E, 0.10)
 INDIGO = Paint(0x46528A, 0.10)
 TEAL = Paint(0x3F7672, 0.10)
 BONE = Paint(0xCDBE9C, 0.08)
@@ -61,7 +61,7 @@ def banner_torn():
         p.tube([(x, 0.28, -0.02), (x, -0.02, 0.0)], 0.016, 3, ROPE, caps=False)
     device = pattern(
         ["AAAAAAA", "BBBBBBB", "BBBABBB", "BBAAABB", "BAA AAB", "BB AAB ", "B   BB ", "B    B "],
-        {"A": BONE.shifted(0.85), "B": OCHRE},
+        {"A": BONE.shifted(0.85), "B": PLUM},
     )
     cloth(p, -0.72, 0.72, -0.06, [2.7, 2.2, 2.35, 2.0, 2.5, 2.95, 2.55, 1.8], 8, device, 0.16, 1.3)
     return p

@@ -1,6 +1,7 @@
 """What belongs to a rule of the game: dangers, what is climbed, the lodestone of a checkpoint, the gate at the goal.
 
 Dangers and what is climbed are one metre long, so that the game can set them side by side along an outline.
+What can be climbed, and nothing else, bears gold: blossoms on vines, cloth around rungs.
 """
 
 import math
@@ -11,6 +12,7 @@ from pieces_plants import LEAF, STEM
 
 BLACK = Paint(0x26252D, 0.10)
 EMBER = Paint(0xC2331A, 0.10, glow=True)
+GOLD = Paint(0xFFC02E, 0.10)
 
 
 def spike(p, x, z, height, r, lean):
@@ -52,6 +54,13 @@ def teeth():
     return p
 
 
+def wrap(p, x, y, z):
+    """Cloth around the end of a rung, its end hanging down."""
+    p.block((x, y - 0.06, z), (0.15, 0.12, 0.11), GOLD, bevel=0)
+    low = vec(x + 0.03, y - 0.30, z + 0.07)
+    p.poly([vec(x - 0.05, y - 0.05, z + 0.06), low, vec(x + 0.06, y - 0.05, z + 0.06)], GOLD.shifted(0.85), both=True)
+
+
 def ladder_metre():
     """A metre of a wooden ladder, as wide as a metre, about its middle; it goes up from its foot."""
     p = Piece("ladder_metre", ground=False, dirt=0.0)
@@ -61,7 +70,9 @@ def ladder_metre():
         y = 0.17 + 0.333 * k
         p.beam((-0.47, y - tilt, 0.05), (0.47, y + tilt, 0.05), 0.032, WOOD, 0.008)
         for x in (-0.42, 0.42):
-            p.block((x, y - 0.05, 0.05), (0.07, 0.10, 0.06), Paint(0xA58A5E, 0.12), bevel=0)
+            p.block((x, y - 0.05, 0.05), (0.07, 0.10, 0.06), OLD_WOOD, bevel=0)
+    wrap(p, 0.42 * (-1), 0.17 + 0.333, 0.05)
+    wrap(p, 0.42, 0.17 + 0.333, 0.05)
     return p
 
 
@@ -72,8 +83,8 @@ def chain_metre():
         link(p, (0, 1.04 - 0.25 * k, 0), 0.155, 0.095, k % 2, IRON.shifted(1.15), 0.036, 4)
     for y in (0.27, 0.77):
         p.beam((-0.30, y, 0), (0.30, y + 0.01, 0), 0.034, RUST, 0.01)
-        for x in (-0.30, 0.30):
-            p.lathe([(-0.035, 0.055), (0.035, 0.055)], 6, IRON, (x, y, 0), turned(z=90))
+        for x in (-0.27, 0.27):
+            wrap(p, x, y, 0)
     return p
 
 
@@ -90,7 +101,17 @@ def vine_metre():
             tip = at + vec(0.24 * side * p.rng.uniform(0.8, 1.2), -0.10, p.rng.uniform(0.02, 0.14))
             tone = LEAF.shifted(p.rng.uniform(0.85, 1.3))
             p.poly([at, (at + tip) / 2 + vec(0, -0.08, 0.03), tip, (at + tip) / 2 + vec(0, 0.08, 0.03)][::side], tone, both=True)
+    for x, y in ((-0.30, 0.12), (0.12, 0.30), (-0.10, 0.52), (0.32, 0.66), (-0.26, 0.84)):
+        blossom(p, vec(x, y, 0.19), 0.11 * p.rng.uniform(0.85, 1.15))
     return p
+
+
+def blossom(p, at, size):
+    """Four petals about a point that sticks out of the leaves."""
+    rim = [at + vec(size * x, size * y, 0) for x, y in ((1, 0.2), (-0.2, 1), (-1, -0.2), (0.2, -1))]
+    heart = at + vec(0, 0, size * 0.6)
+    for k in range(4):
+        p.poly([heart, rim[k], rim[(k + 1) % 4]], GOLD.shifted(0.9 + 0.1 * (k % 2)))
 
 
 def lodestone():

@@ -2,8 +2,9 @@
 
 use super::menu::caps::{self, with_alpha};
 use super::menu::prompts::{self, Cap, Device};
-use super::menu::view::{ALARM, INK, PAPER, WARM, clock};
+use super::menu::view::{ALARM, INK, PAPER, WARM};
 use super::notices::Notices;
+use super::settings::progress::clock;
 use super::settings::{Bindings, Deed};
 use super::text::{Face, Style, Symbol, Text};
 use crate::game::{View, World};
@@ -47,7 +48,7 @@ type Prompt = ([Option<Cap>; 2], &'static str);
 struct Prompts {
     device: Device,
     bindings: Bindings,
-    groups: [Prompt; 5],
+    groups: [Prompt; 6],
 }
 
 /// What is shown, and since when.
@@ -235,6 +236,7 @@ impl Prompts {
             groups: [
                 (run, "run"),
                 (one(Deed::Jump), "jump"),
+                (one(Deed::Up), "climb"),
                 (one(Deed::Crouch), "crouch"),
                 (one(Deed::Retry), "retry"),
                 ([Some(prompts::pause(device)), None], "pause"),
