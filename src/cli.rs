@@ -30,7 +30,10 @@ const FILM_SECONDS: RangeInclusive<u32> = 1..=3600;
 const BENCH_FRAMES: RangeInclusive<u32> = 1..=100_000;
 const SIDES: RangeInclusive<u32> = 64..=16384;
 
-/// The menus that the window can be opened with.
+/// The devices that `--device` knows.
+pub const DEVICES: [&str; 4] = ["keys", "letters", "shapes", "signs"];
+
+/// The menus that `--screen` knows.
 pub const SCREENS: [&str; 11] = [
     "title",
     "levels",
@@ -93,6 +96,8 @@ pub struct Options {
     pub config_dir: Option<PathBuf>,
     /// The menu to start with, by its name.
     pub screen: Option<&'static str>,
+    /// The device whose prompts are shown until one is used, by its name.
+    pub device: Option<&'static str>,
     /// Start with the overlay open.
     pub overlay: bool,
     /// Start with the mesh drawn.
@@ -198,7 +203,8 @@ pub fn parse(args: impl IntoIterator<Item = OsString>) -> Result<Command, UsageE
         vsync: !given.has("no-vsync"),
         preset: given.preset()?,
         config_dir: given.path("config-dir"),
-        screen: given.screen()?,
+        screen: given.one_of("screen", &SCREENS)?,
+        device: given.one_of("device", &DEVICES)?,
         overlay: given.has("overlay"),
         mesh: given.has("mesh"),
         mute: given.has("mute"),
@@ -233,6 +239,7 @@ const VALUED: &[&str] = &[
     "preset",
     "config-dir",
     "screen",
+    "device",
     "tick-rate",
     "seed",
 ];
@@ -250,6 +257,7 @@ const NO_WINDOW: &[&str] = &[
     "preset",
     "config-dir",
     "screen",
+    "device",
     "overlay",
     "mesh",
     "mute",
@@ -417,16 +425,20 @@ impl Given {
         }
     }
 
-    fn screen(&self) -> Result<Option<&'static str>, UsageError> {
-        let Some(value) = self.value("screen") else {
+    fn one_of(
+        &self,
+        option: &str,
+        names: &[&'static str],
+    ) -> Result<Option<&'static str>, UsageError> {
+        let Some(value) = self.value(option) else {
             return Ok(None);
         };
         let text = value.to_string_lossy();
-        match SCREENS.iter().find(|name| **name == text) {
+        match names.iter().find(|name| **name == text) {
             Some(name) => Ok(Some(name)),
             None => usage(format!(
-                "--screen: `{text}` is none of {}",
-                SCREENS.join(", ")
+                "--{option}: `{text}` is none of {}",
+                names.join(", ")
             )),
         }
     }

@@ -37,6 +37,7 @@ Window
   --preset NAME       How much the picture may cost: low, medium or high (default: medium)
   --config-dir DIR    Where settings and progress are kept (default: the user's folder for that)
   --screen NAME       Start with a menu open: title, pause, settings, video, audio, controls, accessibility, credits...
+  --device NAME       Prompts as for keys, or for a pad with letters, shapes or signs, until a device is used
   --overlay           Start with the overlay open
   --mesh              Start with the motion mesh drawn
   --mute              No sound

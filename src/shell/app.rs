@@ -7,6 +7,7 @@ use super::front::Front;
 use super::hud::Hud;
 use super::input::{Action, Controls};
 use super::menu::Screen;
+use super::menu::prompts::Device;
 use super::notices::{Notices, Topic};
 use super::overlay::Overlay;
 use super::overlay::scene::MeshPicture;
@@ -136,6 +137,9 @@ impl App {
             audio: Audio::default(),
             platform,
         };
+        if let Some(device) = options.device.and_then(Device::named) {
+            app.controls.pretend(device);
+        }
         app.show_stage();
         let Settings {
             controls,

@@ -10,6 +10,7 @@ use super::menu::values::{self, Value};
 use super::menu::view::{self, Look};
 use super::menu::{Command, Facts, Menu, MenuEvent, Nav, Screen};
 use super::runs::Feed;
+use super::settings::progress::Record;
 use super::settings::{Settings, Store};
 use crate::game::View;
 use sdl2::event::Event;
@@ -97,7 +98,11 @@ impl App {
     pub fn open_menu(&mut self, screen: Screen) {
         self.controls.release_all();
         self.front.navigator.clear();
-        self.front.facts.has_run = self.front.store.progress.unfinished().is_some();
+        let progress = &self.front.store.progress;
+        self.front.facts.has_run = progress.unfinished().is_some();
+        let record = |level: &Choice| progress.levels.get(&level.key).map(Record::in_a_line);
+        let records = self.front.levels.iter().map(record);
+        self.front.facts.records = records.map(Option::unwrap_or_default).collect();
         self.front.menu.open(screen);
     }
 
@@ -257,6 +262,8 @@ impl App {
         } else {
             self.look_for_goal();
         }
+        let news = self.front.store.saved();
+        self.tell_saved(news);
         if let Some(since) = &mut self.front.unsaved {
             *since += elapsed;
             if *since >= SETTLE {

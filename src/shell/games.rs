@@ -2,13 +2,12 @@
 
 use super::app::App;
 use super::levels::Choice;
-use super::menu::view::clock;
 use super::menu::{Command, Screen};
 use super::notices::Topic;
 use super::play::Play;
 use super::reload::Watch;
 use super::runs::Feed;
-use super::settings::progress::Results;
+use super::settings::progress::{Results, clock};
 use crate::cli::load;
 use crate::game::{Run, View, World};
 

@@ -6,6 +6,7 @@ use super::levels;
 use super::notices::{Notices, Topic};
 use super::platform::WindowOptions;
 use super::runs;
+use super::settings::saver::Saved;
 use super::settings::{Settings, Size, Store};
 use crate::cli::Options;
 use std::path::{Path, PathBuf};
@@ -108,9 +109,9 @@ impl App {
 
     /// How often a frame is enough, by the settings.
     pub(super) fn capped(&self, frame: Duration) -> Duration {
-        match self.front.live.video.frame_cap {
-            0 => frame,
-            cap => frame.max(Duration::from_secs(1) / cap),
+        match self.front.live.video.frame_cap.per_second() {
+            None => frame,
+            Some(cap) => frame.max(Duration::from_secs(1) / cap),
         }
     }
 
@@ -128,10 +129,18 @@ impl App {
         }
     }
 
+    /// Begins to write what has been reached.
     pub(super) fn save_progress(&mut self) {
-        match self.front.store.save_progress() {
-            Ok(()) => self.notices.solve(Topic::Progress),
-            Err(error) => self.notices.fail(Topic::Progress, error),
+        let begun = self.front.store.save_progress();
+        self.tell_saved(begun.err().map(Err));
+    }
+
+    /// What became of a save, if there is news.
+    pub(super) fn tell_saved(&mut self, news: Option<Saved>) {
+        match news {
+            Some(Ok(())) => self.notices.solve(Topic::Progress),
+            Some(Err(error)) => self.notices.fail(Topic::Progress, error),
+            None => {}
         }
     }
 
@@ -141,5 +150,7 @@ impl App {
             self.save_settings();
         }
         self.keep_run();
+        let news = self.front.store.settle();
+        self.tell_saved(news);
     }
 }

@@ -36,6 +36,7 @@ pub fn options(level: &str) -> Options {
         preset: None,
         config_dir: Some(config_dir()),
         screen: None,
+        device: None,
         film: None,
         bench_frames: None,
         overlay: false,

@@ -33,6 +33,8 @@ pub struct Facts {
     pub has_run: bool,
     /// Names of the levels to choose from.
     pub levels: Vec<String>,
+    /// The best that was reached in each of them, in a line; empty where nothing was.
+    pub records: Vec<String>,
     /// The run that is paused, in a line: where, how long, how many deaths.
     pub paused_run: String,
     /// What the run has come to that has just reached the goal.

@@ -27,6 +27,19 @@ pub enum Device {
     Pad(Make),
 }
 
+impl Device {
+    /// By its name on the command line, one of [`DEVICES`](crate::cli::DEVICES).
+    pub fn named(name: &str) -> Option<Device> {
+        Some(match name {
+            "keys" => Device::Keys,
+            "letters" => Device::Pad(Make::Letters),
+            "shapes" => Device::Pad(Make::Shapes),
+            "signs" => Device::Pad(Make::Signs),
+            _ => return None,
+        })
+    }
+}
+
 /// Numbers by which USB knows the makers of controllers.
 const SONY: u16 = 0x054c;
 const NINTENDO: u16 = 0x057e;

@@ -1,5 +1,6 @@
 //! The menus without a window: every entry by directions alone, what choosing does, waits for keys.
 
+use super::prompts::Device;
 use super::*;
 use crate::shell::settings::bindings;
 use sdl2::controller::Button;
@@ -250,6 +251,16 @@ fn keys_are_taken_away_and_come_back() {
     assert_eq!(menu.act(Nav::Choose, &mut settings, &facts), None);
     assert_eq!(settings, Settings::default());
     assert_eq!(menu.screen(), Some(Screen::Controls));
+}
+
+#[test]
+fn every_device_has_a_name_of_its_own() {
+    let mut devices: Vec<Device> = Vec::new();
+    for name in crate::cli::DEVICES {
+        let device = Device::named(name).unwrap();
+        assert!(!devices.contains(&device), "{name}");
+        devices.push(device);
+    }
 }
 
 /// The pointer finds each entry where it is drawn, on wide and on tall pictures.

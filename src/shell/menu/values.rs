@@ -2,8 +2,7 @@
 
 use super::items::Item;
 use crate::cli::Preset;
-use crate::shell::settings::values::CAPS;
-use crate::shell::settings::{Hands, Hold, Settings, Size};
+use crate::shell::settings::{FrameCap, Hands, Hold, Settings, Size};
 use std::ops::RangeInclusive;
 
 /// Sizes of windows that are offered.
@@ -46,9 +45,9 @@ pub fn value(item: Item, settings: &Settings) -> Value {
     }
     match item {
         Item::Size => Value::Choice(format!("{} × {}", video.size.width, video.size.height)),
-        Item::FrameCap => Value::Choice(match video.frame_cap {
-            0 => "None".into(),
-            cap => format!("{cap} per second"),
+        Item::FrameCap => Value::Choice(match video.frame_cap.per_second() {
+            None => "None".into(),
+            Some(cap) => format!("{cap} per second"),
         }),
         Item::Preset => Value::Choice(match video.preset {
             None => "Automatic".into(),
@@ -79,7 +78,7 @@ pub fn step(item: Item, settings: &mut Settings, up: bool) -> bool {
     match item {
         Item::Size => step_size(&mut settings.video.size, up),
         Item::FrameCap => {
-            settings.video.frame_cap = next(&CAPS, settings.video.frame_cap, up);
+            settings.video.frame_cap = next(&FrameCap::OFFERED, settings.video.frame_cap, up);
         }
         Item::Preset => {
             let now = settings.video.preset.unwrap_or_default();

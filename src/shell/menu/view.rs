@@ -358,6 +358,7 @@ impl Page<'_> {
                 cap.filter(|_| wait.is_none()),
                 wait.is_some(),
                 is_here,
+                conflict,
                 colour,
             );
         }
@@ -369,6 +370,7 @@ impl Page<'_> {
         cap: Option<Cap>,
         waits: bool,
         is_here: bool,
+        twice: bool,
         colour: Colour,
     ) {
         let px = self.layout.measures.text * 0.84;
@@ -391,38 +393,15 @@ impl Page<'_> {
         match cap {
             Some(cap) => {
                 let width = caps::width(self.text, &cap, px);
-                caps::draw(self.text, &cap, middle - width / 2.0, baseline, px, colour);
+                let end = caps::draw(self.text, &cap, middle - width / 2.0, baseline, px, colour);
+                // For those to whom red says nothing.
+                if twice {
+                    let at = end + 8.0 * self.layout.unit;
+                    self.text.write(style, at, baseline, "!");
+                }
             }
             None if waits => self.text.centred(style, middle, baseline, "Press …"),
             None => self.text.centred(style.faded(0.5), middle, baseline, "—"),
         }
-    }
-}
-
-/// Minutes, seconds and hundredths.
-pub struct Clock(u64);
-
-impl std::fmt::Display for Clock {
-    fn fmt(&self, out: &mut std::fmt::Formatter) -> std::fmt::Result {
-        let Clock(all) = self;
-        write!(out, "{}:{:02}.{:02}", all / 6000, all / 100 % 60, all % 100)
-    }
-}
-
-/// Seconds as on a watch.
-pub fn clock(seconds: f64) -> Clock {
-    Clock((seconds * 100.0).floor() as u64)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::clock;
-
-    #[test]
-    fn times_are_written_as_on_a_watch() {
-        assert_eq!(
-            [0.0, 59.999, 83.456].map(|seconds| clock(seconds).to_string()),
-            ["0:00.00", "0:59.99", "1:23.45"]
-        );
     }
 }

@@ -1,15 +1,16 @@
 //! What players set to their liking, and what they have reached: plain values, and the files that keep them.
 //!
 //! In reading order: [`values`] (every setting, one line each), [`bindings`] (keys and buttons), [`progress`] (runs and
-//! records), [`fields`] (text read so that one bad value spoils no other), [`store`] (the files).
+//! records), [`fields`] (text read so that one bad value spoils no other), [`saver`] (files written aside), [`store`] (the files).
 
 pub mod bindings;
 mod fields;
 pub mod progress;
+pub mod saver;
 pub mod store;
 pub mod values;
 
 pub use bindings::{Bindings, Deed};
 pub use progress::Progress;
 pub use store::Store;
-pub use values::{Access, Audio, Hands, Hold, Settings, Size, Video};
+pub use values::{Access, Audio, FrameCap, Hands, Hold, Settings, Size, Video};

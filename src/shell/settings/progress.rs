@@ -36,6 +36,24 @@ pub struct Record {
     pub finished: u32,
 }
 
+impl Record {
+    /// The best of all runs that came to the goal, in a line; empty if none did.
+    pub fn in_a_line(&self) -> String {
+        let Some(seconds) = self.best_seconds else {
+            return String::new();
+        };
+        let secrets = match self.most_secrets {
+            0 => String::new(),
+            most => format!("   ·   most secrets {most}"),
+        };
+        let deaths = self.fewest_deaths.unwrap_or_default();
+        format!(
+            "Best time {}   ·   fewest deaths {deaths}{secrets}",
+            clock(seconds)
+        )
+    }
+}
+
 /// What a run came to.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Results {
@@ -126,6 +144,21 @@ impl Progress {
     }
 }
 
+/// Minutes, seconds and hundredths.
+pub struct Clock(u64);
+
+impl std::fmt::Display for Clock {
+    fn fmt(&self, out: &mut std::fmt::Formatter) -> std::fmt::Result {
+        let Clock(all) = self;
+        write!(out, "{}:{:02}.{:02}", all / 6000, all / 100 % 60, all % 100)
+    }
+}
+
+/// Seconds as on a watch.
+pub fn clock(seconds: f64) -> Clock {
+    Clock((seconds * 100.0).floor() as u64)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -161,5 +194,27 @@ mod tests {
         progress.note("a", run);
         progress.forget_run("a");
         assert_eq!(progress.unfinished(), None);
+    }
+
+    #[test]
+    fn times_are_written_as_on_a_watch() {
+        assert_eq!(
+            [0.0, 59.999, 83.456].map(|seconds| clock(seconds).to_string()),
+            ["0:00.00", "0:59.99", "1:23.45"]
+        );
+    }
+
+    #[test]
+    fn a_record_in_a_line_says_what_there_is() {
+        let mut record = Record::default();
+        assert_eq!(record.in_a_line(), "");
+        record.best_seconds = Some(83.456);
+        record.fewest_deaths = Some(2);
+        assert_eq!(
+            record.in_a_line(),
+            "Best time 1:23.45   ·   fewest deaths 2"
+        );
+        record.most_secrets = 7;
+        assert!(record.in_a_line().ends_with("most secrets 7"));
     }
 }

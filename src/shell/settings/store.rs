@@ -3,6 +3,7 @@
 
 use super::fields::{Complaints, Fields};
 use super::progress::{self, Progress};
+use super::saver::{self, Saved, Saver};
 use super::values::{self, Settings};
 use crate::cli::files::{self, FileError};
 use ron::ser::PrettyConfig;
@@ -92,6 +93,7 @@ pub struct Store {
     pub progress: Progress,
     settings_file: Option<PathBuf>,
     progress_file: Option<PathBuf>,
+    saver: Saver,
 }
 
 impl Store {
@@ -108,6 +110,7 @@ impl Store {
             progress,
             settings_file,
             progress_file,
+            saver: Saver::default(),
         };
         (store, said)
     }
@@ -120,12 +123,26 @@ impl Store {
         save(&self.settings, self.settings_file.as_deref())
     }
 
-    /// Writes what has been reached.
+    /// Begins to write what has been reached, beside the game that goes on.
     ///
     /// # Errors
-    /// As [`Store::save_settings`].
-    pub fn save_progress(&self) -> Result<(), FileError> {
-        save(&self.progress, self.progress_file.as_deref())
+    /// It cannot be told as text. What becomes of the file is [`saved`](Self::saved).
+    pub fn save_progress(&mut self) -> Result<(), FileError> {
+        if let Some(path) = &self.progress_file {
+            let text = text_of(&self.progress, path)?;
+            self.saver.save(path.clone(), text);
+        }
+        Ok(())
+    }
+
+    /// What became of the progress that was saved last, once, when it is over.
+    pub fn saved(&mut self) -> Option<Saved> {
+        self.saver.outcome()
+    }
+
+    /// Waits until the progress is saved; what became of it, unless that was told before.
+    pub fn settle(&mut self) -> Option<Saved> {
+        self.saver.wait()
     }
 }
 
@@ -187,12 +204,12 @@ fn set_aside(path: &Path) -> std::io::Result<PathBuf> {
 /// Writes a document, making its folder if need be.
 fn save<T: Document>(document: &T, path: Option<&Path>) -> Result<(), FileError> {
     let Some(path) = path else { return Ok(()) };
-    let failed = |e: String| FileError::new(path, format!("cannot be saved: {e}"));
-    let text = document.write().map_err(|e| failed(e.to_string()))?;
-    if let Some(folder) = path.parent() {
-        std::fs::create_dir_all(folder).map_err(|e| failed(e.to_string()))?;
-    }
-    files::write_atomic(path, text.as_bytes())
+    saver::write(path, &text_of(document, path)?)
+}
+
+fn text_of<T: Document>(document: &T, path: &Path) -> Result<String, FileError> {
+    let failed = |e: ron::Error| FileError::new(path, format!("cannot be saved: {e}"));
+    document.write().map_err(failed)
 }
 
 #[cfg(test)]

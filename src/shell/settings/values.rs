@@ -11,8 +11,8 @@ pub const VERSION: u32 = 1;
 
 /// Shares in percent.
 pub const SHARE: RangeInclusive<u32> = 0..=100;
-/// Frames a second that the picture may be held to; 0 for no limit of its own.
-pub const CAPS: [u32; 6] = [0, 30, 60, 90, 120, 240];
+/// Frames a second that the picture may be held to: with fewer nobody could reach the menu that says so.
+const CAPS: RangeInclusive<u32> = 20..=1000;
 /// Sides of a window, in points.
 const SIDES: RangeInclusive<u32> = 64..=16384;
 
@@ -69,8 +69,8 @@ group! {
         vsync: bool = true;
         /// How much the picture may cost; `None` until it has been measured.
         preset: Option<Preset> = None;
-        /// Frames a second at most; 0 for no limit.
-        frame_cap: u32 = 0, 0..=1000;
+        /// Frames a second at most.
+        frame_cap: FrameCap = FrameCap::NONE;
     }
 }
 
@@ -151,6 +151,50 @@ impl TryFrom<(u32, u32)> for Size {
 impl From<Size> for (u32, u32) {
     fn from(size: Size) -> (u32, u32) {
         (size.width, size.height)
+    }
+}
+
+/// Frames a second at most; 0 in the file is no limit of its own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(try_from = "u32", into = "u32")]
+pub struct FrameCap(u32);
+
+impl FrameCap {
+    /// No limit.
+    pub const NONE: FrameCap = FrameCap(0);
+    /// Those that the menu offers.
+    pub const OFFERED: [FrameCap; 6] = [
+        Self::NONE,
+        Self(30),
+        Self(60),
+        Self(90),
+        Self(120),
+        Self(240),
+    ];
+
+    /// How many, if there is a limit.
+    pub fn per_second(self) -> Option<u32> {
+        (self != Self::NONE).then_some(self.0)
+    }
+}
+
+impl TryFrom<u32> for FrameCap {
+    type Error = String;
+
+    fn try_from(frames: u32) -> Result<FrameCap, String> {
+        if frames == 0 || CAPS.contains(&frames) {
+            return Ok(FrameCap(frames));
+        }
+        let (low, high) = (CAPS.start(), CAPS.end());
+        Err(format!(
+            "{frames} frames a second are no limit: that is 0 for none, or {low} to {high}"
+        ))
+    }
+}
+
+impl From<FrameCap> for u32 {
+    fn from(cap: FrameCap) -> u32 {
+        cap.0
     }
 }
 

@@ -5,8 +5,9 @@ use super::super::layout::{HINTS, Layout, NOTE};
 use super::super::prompts::{self, Cap};
 use super::super::values::{self, Value};
 use super::super::{BUTTON_COLUMN, caps, credits};
-use super::{ALARM, NOTES, PAPER, Page, WARM, clock};
+use super::{ALARM, NOTES, PAPER, Page, WARM};
 use crate::shell::settings::bindings::Input;
+use crate::shell::settings::progress::clock;
 use crate::shell::text::{Face, Style, Symbol};
 use caps::with_alpha;
 
@@ -172,9 +173,20 @@ impl Page<'_> {
                     None => (Item::Bind(deed).note().into(), false),
                 }
             }
-            Some(item) => (item.note().into(), false),
+            Some(item) => (self.record(item).unwrap_or(item.note()).into(), false),
             None => (String::new(), false),
         }
+    }
+
+    /// The best that was reached in the level that an entry begins.
+    fn record(&self, item: Item) -> Option<&str> {
+        let facts = self.scene.facts;
+        let level = match item {
+            Item::Level(level) => level,
+            Item::NewGame if facts.levels.len() == 1 => 0,
+            _ => return None,
+        };
+        facts.records.get(level).map(String::as_str)
     }
 
     fn hints(&self) -> Vec<(Cap, &'static str)> {

@@ -62,6 +62,7 @@ fn what_is_saved_is_there_again() {
     store.progress.note("levels/quarry.ron", run);
     store.save_settings().unwrap();
     store.save_progress().unwrap();
+    store.settle().unwrap().unwrap();
     let (again, said) = folder.open();
     assert_eq!(said, [""; 0]);
     assert_eq!(again.settings, store.settings);
@@ -105,13 +106,14 @@ fn a_newer_file_is_left_alone() {
     for file in [SETTINGS_FILE, PROGRESS_FILE] {
         folder.write(file, text);
     }
-    let (store, said) = folder.open();
+    let (mut store, said) = folder.open();
     assert!(
         said.len() == 2 && said.iter().all(|s| s.contains("version 2")),
         "{said:?}"
     );
     store.save_settings().unwrap();
     store.save_progress().unwrap();
+    assert!(store.settle().is_none(), "nothing was to be written");
     assert_eq!(
         [folder.read(SETTINGS_FILE), folder.read(PROGRESS_FILE)],
         [text, text]
@@ -123,7 +125,7 @@ fn one_bad_value_spoils_no_other() {
     let folder = Folder::new("values");
     folder.write(
         SETTINGS_FILE,
-        "(version: 1, video: (size: (3, 5), preset: Some(Ultra), vsync: false), \
+        "(version: 1, video: (size: (3, 5), preset: Some(Ultra), vsync: false, frame_cap: 1), \
          audio: (master: 300, music: -4, effects: 7, bass: 1), sky: 3, \
          accessibility: (speed: 10, contrast: true), controls: (bindings: (keys: {\"jump\": [\"Spce\"]}, buttons: {})))",
     );
@@ -144,6 +146,8 @@ fn one_bad_value_spoils_no_other() {
     for name in [
         "video.size",
         "video.preset",
+        "1 frames a second are no limit: that is 0 for none, or 20 to 1000; the default is used",
+        "video.frame_cap: ",
         "audio.master: 300",
         "audio.music",
         "audio.bass",
@@ -153,7 +157,8 @@ fn one_bad_value_spoils_no_other() {
     ] {
         assert!(said.iter().any(|s| s.contains(name)), "{name}: {said:?}");
     }
-    assert_eq!(said.len(), 8, "{said:?}");
+    assert_eq!(video.frame_cap, values::FrameCap::NONE);
+    assert_eq!(said.len(), 9, "{said:?}");
 }
 
 #[test]
