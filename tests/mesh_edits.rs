@@ -8,7 +8,7 @@ use common::worlds::{self, Dice, wire};
 use edgewalker::geom::{
     Collider, ExpandedEdge, Point, Source, check_outline, expand, expand_about, expand_one_way,
 };
-use edgewalker::mesh::{FeatureId, Kind, Mesh};
+use edgewalker::mesh::{FeatureId, Kind, Mesh, Place};
 use glam::DVec2;
 use std::collections::BTreeSet;
 
@@ -184,6 +184,35 @@ fn opposite_duplicates_cancel_and_leave_nothing_behind() {
     );
     mesh.remove(9).unwrap();
     assert_eq!(mesh.hash(), before);
+}
+
+#[test]
+fn rings_in_rings_are_covered_alike_built_or_put_in_one_by_one() {
+    // Each starts at another corner than those next to it: in the order in which they are built they follow one another
+    // neither outwards nor inwards.
+    let rings = 60;
+    let ring = |i: i32| {
+        let half = 100 * (i + 1);
+        let mut corners = [(-half, -half), (half, -half), (half, half), (-half, half)]
+            .map(|(x, y)| Point::new(x, y));
+        corners.rotate_left(i as usize * 7 % 4);
+        expand(&corners, &Collider::point())
+    };
+    let features: Vec<Vec<ExpandedEdge>> = (0..rings).map(ring).collect();
+    let mesh = Mesh::build(&features).unwrap();
+    sound(&mesh, &"rings");
+    let order: Vec<usize> = (0..features.len())
+        .map(|i| i * 23 % features.len())
+        .collect();
+    assert_eq!(mesh.hash(), inserted(&features, &order).hash());
+    for i in 0..rings {
+        let between = Point::new(100 * i + 50, 0).metres();
+        let Some(Place::Face(face)) = mesh.locate(between + DVec2::new(0.0, 1e-6), None) else {
+            panic!("inside a face");
+        };
+        let around: Vec<FeatureId> = (i as FeatureId..rings as FeatureId).collect();
+        assert_eq!(mesh.cover(face), around, "ring {i}");
+    }
 }
 
 #[test]

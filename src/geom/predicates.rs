@@ -1,7 +1,7 @@
 //! The one place where the sign of anything is decided. Every answer is exact.
 //!
 //! Grid coordinates have 29 bits, so plain machine integers hold every determinant below: orient2d
-//! needs 60 bits, a segment against a pixel 62, a crossing 90 and in_circle 121. Nothing here has a
+//! needs 60 bits, a segment against a pixel 62, a crossing 90 and in_circle 120. Nothing here has a
 //! tolerance, a filter or a special case for round-off, and nothing can differ between processors.
 //!
 //! The *pixel* of a grid point is the unit square around it. Pixels are half-open so that they tile the
@@ -41,11 +41,15 @@ pub(crate) fn dot(u: (i64, i64), v: (i64, i64)) -> i64 {
 
 /// Positive when d lies strictly inside the circle through a, b, c (given counter-clockwise),
 /// zero when the four are cocircular.
+///
+/// With c and d on both sides of a-b, the angles at which they see it then make half a turn: this is minus the sine of
+/// their sum, times the lengths of the sides from a and b to c and d. As a polynomial it is the usual determinant, but with
+/// two wide products in place of three.
 #[inline]
 pub fn in_circle(a: Point, b: Point, c: Point, d: Point) -> i128 {
-    let (u, v, w) = (delta(d, a), delta(d, b), delta(d, c));
-    let wide = |norm: i64, minor: i64| i128::from(norm) * i128::from(minor);
-    wide(dot(u, u), cross(v, w)) + wide(dot(v, v), cross(w, u)) + wide(dot(w, w), cross(u, v))
+    let (ca, cb, da, db) = (delta(c, a), delta(c, b), delta(d, a), delta(d, b));
+    let wide = |x: i64, y: i64| i128::from(x) * i128::from(y);
+    wide(cross(db, da), -dot(ca, cb)) - wide(cross(ca, cb), dot(da, db))
 }
 
 /// On which side of the directed line a -> b a position lies (`Greater` is left).

@@ -117,9 +117,10 @@ impl Topology {
     /// Start and end of an edge, and the corner of the triangle on its right that is neither.
     #[inline]
     pub fn triangle_beyond(&self, q: Quarter) -> [u32; 3] {
-        let QuadEdge { next, data } = self.quads[(q >> 2) as usize];
+        let quad = &self.quads[(q >> 2) as usize];
         let (here, there) = ((q & 3) as usize, (sym(q) & 3) as usize);
-        [data[here], data[there], self.dest(next[there])]
+        let [start, end] = [here, there].map(|i| quad.data[i]);
+        [start, end, self.dest(quad.next[there])]
     }
 
     /// One edge that starts at a vertex.
@@ -340,21 +341,20 @@ impl Topology {
     ///        o                  o
     /// ```
     pub fn flip(&mut self, e: Quarter) {
-        // All of it is in the record of e.
-        let QuadEdge { next, data } = self.quads[(e >> 2) as usize];
         let (q, p) = ((e & 3) as usize, (sym(e) & 3) as usize);
         let (q_dual, p_dual) = ((inv_rot(e) & 3) as usize, (rot(e) & 3) as usize);
-        let (n1, n2) = (rot(next[q_dual]), sym(next[q]));
-        let (m1, m2) = (rot(next[p_dual]), sym(next[p]));
-        let [o, d, f, g] = [data[q], data[p], data[q_dual], data[p_dual]];
-        let mut turned = QuadEdge { next, data };
-        turned.data[q] = self.origin(m2);
-        turned.data[p] = self.origin(n2);
-        turned.next[q] = sym(m1);
-        turned.next[p] = sym(n1);
-        turned.next[q_dual] = inv_rot(n2);
-        turned.next[p_dual] = inv_rot(m2);
-        self.quads[(e >> 2) as usize] = turned;
+        // All of it is in the record of e.
+        let quad = &self.quads[(e >> 2) as usize];
+        let (n1, n2) = (rot(quad.next[q_dual]), sym(quad.next[q]));
+        let (m1, m2) = (rot(quad.next[p_dual]), sym(quad.next[p]));
+        let [o, d, f, g] = [q, p, q_dual, p_dual].map(|i| quad.data[i]);
+        let ends = [self.origin(m2), self.origin(n2)];
+        let quad = &mut self.quads[(e >> 2) as usize];
+        [quad.data[q], quad.data[p]] = ends;
+        quad.next[q] = sym(m1);
+        quad.next[p] = sym(n1);
+        quad.next[q_dual] = inv_rot(n2);
+        quad.next[p_dual] = inv_rot(m2);
         // The rings of o and d lose the edge.
         self.vertex_edge[o as usize] = m1;
         self.vertex_edge[d as usize] = n1;

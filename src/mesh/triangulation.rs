@@ -107,7 +107,7 @@ impl Triangulation {
         match in_circle(o, d, l, r).cmp(&0) {
             Ordering::Less => true,
             Ordering::Greater => false,
-            Ordering::Equal => o.min(d) < l.min(r),
+            Ordering::Equal => is_first(o, d, l, r),
         }
     }
 
@@ -232,6 +232,12 @@ impl Triangulation {
         self.suspects
             .extend([e, self.topology.lnext(e), self.topology.lprev(e)]);
     }
+}
+
+/// Which diagonal of a cocircular quadrangle is legal: that at the smallest corner.
+#[cold]
+fn is_first(o: Point, d: Point, l: Point, r: Point) -> bool {
+    o.min(d) < l.min(r)
 }
 
 #[cfg(test)]
