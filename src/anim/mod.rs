@@ -32,5 +32,5 @@ pub use pose::{Mask, Pose};
 pub use rig::{Act, Bone, Leg, Rig, Stride};
 pub use shown::Shown;
 pub use skeleton::{Joint, MAX_BONES, Placed, Skeleton};
-pub use state::{Kind, State};
+pub use state::{Kind, State, run_share_at};
 pub use trs::{Trs, angle_between, blend_turns};

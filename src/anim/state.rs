@@ -274,7 +274,12 @@ const EVENT_AGE: f64 = 0.1;
 
 /// How much of a run and how little of a walk his speed is, 0 to 1.
 pub fn run_share(moves: &Moves) -> f32 {
-    smooth((moves.forward().abs() - WALKS) / (RUNS - WALKS))
+    run_share_at(moves.forward().abs())
+}
+
+/// The same of a speed, m/s.
+pub fn run_share_at(speed: f32) -> f32 {
+    smooth((speed - WALKS) / (RUNS - WALKS))
 }
 
 /// How much of a fall and how little of a rise his speed is, 0 to 1.

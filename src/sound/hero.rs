@@ -3,6 +3,7 @@
 
 use super::ear::Chance;
 use super::{Cue, LOOPS, Level, Loop, Moment, Sound};
+use crate::anim::run_share_at;
 use crate::game::{Stance, View};
 use crate::level::{Kind, Material};
 use crate::mesh::FeatureId;
@@ -11,16 +12,16 @@ use glam::DVec2;
 
 /// Speed of a run at full stick, m/s: what is louder when fast is as loud there as it gets by steps.
 const RUN: f64 = 8.0;
-/// Metres from step to step, at rest and at [`RUN`].
-const STRIDE: (f64, f64) = (0.62, 1.25);
+/// Share of [`RUN`] below which the hero stands.
+const STANDS: f64 = 0.02;
+/// Metres from step to step of one who walks, runs, crawls: half a cycle of the clips, so that feet are heard when they come down.
+pub const STRIDES: [f64; 3] = [0.53333, 1.56, 0.53538];
 /// Amplitude of steps at rest and at [`RUN`], and what crouching leaves of it.
 const STEP: (f64, f64) = (0.35, 1.0);
 const SNEAK: f64 = 0.45;
 /// How much lower and louder steps are straight up a slope of 45 degrees (and the other way down it).
 const UPHILL_PITCH: f64 = 0.08;
 const UPHILL_GAIN: f64 = 0.25;
-/// Share of a stride after which the first step comes of one who begins to walk.
-const FIRST: f64 = 0.55;
 /// Metres from rung to rung, and from hold to hold of a wall.
 const RUNG: f64 = 0.45;
 const HOLD: f64 = 0.7;
@@ -189,17 +190,17 @@ impl Hero {
     fn hear_steps(&mut self, moment: &Moment, cues: &mut Vec<Cue>) {
         let (before, now) = (moment.before, moment.now);
         if before.stance != Stance::Ground || now.stance != Stance::Ground {
+            self.step = 0.0; // a foot comes down first
             return;
         }
         let way = way_over_ground(moment);
         let pace = (way.length() / moment.span() / RUN).min(1.5);
-        if pace < 0.02 {
-            self.step = FIRST;
+        if pace < STANDS {
             return;
         }
-        let stride = STRIDE.0 + (STRIDE.1 - STRIDE.0) * pace.min(1.0);
-        let (from, to) = (self.step, self.step + way.length() / stride);
-        self.step = to.fract();
+        let forward = way.x * now.facing;
+        let (from, to) = (self.step, self.step + forward / stride(now, way, moment));
+        self.step = to.rem_euclid(1.0);
         if to < 1.0 {
             return;
         }
@@ -273,6 +274,16 @@ fn way_over_ground(moment: &Moment) -> DVec2 {
     let along = DVec2::new(moment.now.normal.y, -moment.now.normal.x);
     let way = moment.now.position - moment.before.position - carrier_way(moment);
     way - along * belt * moment.span()
+}
+
+/// Metres of ground for a step, as the figure takes it.
+fn stride(now: &View, way: DVec2, moment: &Moment) -> f64 {
+    let [walk, run, crawl] = STRIDES;
+    if now.crouched {
+        return crawl;
+    }
+    let speed = way.x.abs() / moment.span();
+    walk + (run - walk) * f64::from(run_share_at(speed as f32))
 }
 
 /// How far the moving solid has gone that carries the hero.

@@ -16,6 +16,7 @@ pub mod score;
 pub mod table;
 
 pub use ear::Ear;
+pub use hero::STRIDES;
 pub use score::Music;
 pub use table::{LOOPS, Layer, Loop, Piece, Sound};
 

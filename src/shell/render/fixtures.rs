@@ -33,7 +33,7 @@ const PLANK: Paint = paint(0xa47d52).varied(0.16);
 const GRATE: Paint = paint(0x7d6258).varied(0.10);
 const RAIL: Paint = paint(0x6d4d36).varied(0.10);
 const IRON: Paint = paint(0x4b4d55).varied(0.08);
-const ARROW: Paint = paint(0xf2b552).glowing(0.55);
+const ARROW: Paint = paint(0xd6dbe0).glowing(0.4);
 
 /// What is built of features.
 #[derive(Default)]
