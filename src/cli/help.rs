@@ -22,7 +22,7 @@ Runs as values
   --film FILE         Write 60 pictures a second into FILE, as PPM one after the other, and leave; needs --seconds. FILE may
                       be a pipe (scripts/video)
   --seconds N         How long the film is
-  --bench-frames N    Draw N frames of a sixtieth of a second each, say how long they took, and leave; of all presets,
+  --bench-frames N    Draw N frames (of a replay: spread over it), say how long they took, and leave; of all presets,
                       or of the one that --preset names
 
 For level makers

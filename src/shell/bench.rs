@@ -1,4 +1,5 @@
-//! Frame times: so many frames as fast as they can be drawn, and what they asked of the machine.
+//! Frame times: so many frames as fast as they can be drawn, and what they asked of the machine. Those of a replay are spread
+//! over all of it.
 
 use super::ShellError;
 use super::app::App;
@@ -11,6 +12,8 @@ const WARM_UP: u32 = 10;
 /// Frames that are drawn to choose a preset, and those before them.
 const TRIED: usize = 9;
 const WARM_UP_TRIED: usize = 3;
+/// Ticks of a frame in the usual replays.
+const TICKS: u64 = 2;
 /// Units of the kernel's account of processor time, in a second.
 const ACCOUNT_RATE: f64 = 100.0;
 
@@ -26,12 +29,13 @@ pub fn run(
 ) -> Result<(), ShellError> {
     app.measured_frame()?;
     say(&format!("first frame after {:.0} ms", ms(begin.elapsed())));
-    for preset in Preset::ALL
-        .into_iter()
-        .filter(|p| preset.is_none_or(|wanted| wanted == *p))
-    {
+    let presets = Preset::ALL.into_iter();
+    let wanted = presets.filter(|p| preset.is_none_or(|wanted| wanted == *p));
+    let measured = u64::from(frames) * wanted.clone().count() as u64;
+    let apart = app.feed.ticks() / measured.max(1);
+    for preset in wanted {
         app.renderer.set_preset(preset)?;
-        say(&measure(app, frames, preset)?);
+        say(&measure(app, frames, apart, preset)?);
     }
     Ok(())
 }
@@ -71,18 +75,25 @@ impl App {
     }
 }
 
-/// Draws the frames of one preset; gives a line about them.
-fn measure(app: &mut App, frames: u32, preset: Preset) -> Result<String, ShellError> {
+/// Draws the frames of one preset, so many ticks from one to the next; gives a line about them.
+fn measure(app: &mut App, frames: u32, apart: u64, preset: Preset) -> Result<String, ShellError> {
     for _ in 0..WARM_UP {
         app.measured_frame()?;
     }
     app.renderer.take_work();
     let processor = processor_time();
     let mut times = Vec::with_capacity(frames as usize);
+    let mut slowest = (0.0, 0);
     for _ in 0..frames {
+        let next = app.play.world.tick() + apart.saturating_sub(TICKS);
+        while app.play.world.tick() < next && app.tick() {}
         let begin = Instant::now();
         app.measured_frame()?;
-        times.push(ms(begin.elapsed()));
+        let time = ms(begin.elapsed());
+        times.push(time);
+        if time > slowest.0 {
+            slowest = (time, app.play.world.tick());
+        }
     }
     let work = app.renderer.take_work();
     let processor = match (processor, processor_time()) {
@@ -94,10 +105,13 @@ fn measure(app: &mut App, frames: u32, preset: Preset) -> Result<String, ShellEr
     };
     times.sort_by(f64::total_cmp);
     Ok(format!(
-        "{:6} median {:.1} ms, 99th percentile {:.1} ms{processor}; a frame: {} calls, {} draws, {} triangles",
+        "{:6} median {:.1} ms, 99th percentile {:.1} ms, most {:.1} ms at tick {}{processor}; \
+         a frame: {} calls, {} draws, {} triangles",
         preset.name(),
         percentile(&times, 50),
         percentile(&times, 99),
+        slowest.0,
+        slowest.1,
         work.calls / frames,
         work.draws / frames,
         work.triangles / frames as usize,

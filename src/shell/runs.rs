@@ -146,6 +146,14 @@ impl Feed {
         Some(input)
     }
 
+    /// How many ticks a replay has; none if a player plays.
+    pub fn ticks(&self) -> u64 {
+        match self {
+            Feed::Replay { replay, .. } => replay.ticks(),
+            Feed::Player => 0,
+        }
+    }
+
     /// Whether this is a replay without any more ticks.
     pub fn is_over(&self) -> bool {
         matches!(self, Feed::Replay { replay, entry, .. } if *entry >= replay.inputs.len())
