@@ -74,7 +74,7 @@ fn roots(hazard: &Feature, among: &[&Feature]) -> Vec<(Vec2, Vec2)> {
 }
 
 /// Whether a point is inside a feature's outline: an odd number of its edges lies to the right of it.
-fn contains(feature: &Feature, p: Vec2) -> bool {
+pub fn contains(feature: &Feature, p: Vec2) -> bool {
     let crossings = edges(feature).into_iter().filter(|(a, b)| {
         let level = (a.y > p.y) != (b.y > p.y);
         level && p.x < a.x + (b.x - a.x) * (p.y - a.y) / (b.y - a.y)
@@ -145,10 +145,14 @@ fn shine(hazard: &Feature, lamps: &mut Vec<PointLight>) {
     }
 }
 
-/// Marks the underside of what crushes: hot teeth painted on its front, and on the edge itself.
+/// Marks the underside of what crushes: a black plate on its front with long hot teeth under a hot bar, so that even a narrow
+/// one is seen from afar.
 pub fn crusher(feature: &Feature, front: f32, model: &mut Model) {
-    const WIDTH: f32 = 0.34;
-    const HEIGHT: f32 = 0.26;
+    const WIDTH: f32 = 0.36;
+    const HEIGHT: f32 = 0.62;
+    const BAR: [f32; 2] = [0.74, 0.84];
+    const PLATE: f32 = 0.92;
+    const PROUD: f32 = 0.012;
     for (a, b) in edges(feature) {
         let along = (b - a).normalize_or_zero();
         if along.perp().y < 0.7 {
@@ -157,11 +161,23 @@ pub fn crusher(feature: &Feature, front: f32, model: &mut Model) {
         let count = (a.distance(b) / WIDTH).round().max(1.0);
         for i in 0..count as u32 {
             let at = |share: f32| a.lerp(b, (i as f32 + share) / count);
-            let [left, right] =
-                [at(0.04), at(0.96)].map(|p| (p + along.perp() * HEIGHT).extend(front));
+            let up = along.perp();
+            let [left, right] = [at(0.04), at(0.96)].map(|p| (p + up * HEIGHT).extend(front));
             let tip = at(0.5).extend(front);
             model.facet([left, tip, right], [1.0; 3], HOT);
         }
+        let mut field = |[low, high]: [f32; 2], z: f32, paint: Paint| {
+            let corner = |p: Vec2, height: f32| (p + along.perp() * height).extend(z);
+            let corners = [
+                corner(a, low),
+                corner(b, low),
+                corner(b, high),
+                corner(a, high),
+            ];
+            model.quad(corners, paint);
+        };
+        field([0.0, PLATE], front - PROUD, BLACK);
+        field(BAR, front, HOT);
     }
 }
 
@@ -233,7 +249,7 @@ mod tests {
         crusher(&boxed(Kind::Solid, [0.0, 1.0, 2.0, 3.0]), 0.8, &mut model);
         let place = |v: &[u32]| Vec3::from_array([0, 1, 2].map(|i| f32::from_bits(v[i])));
         let places: Vec<Vec3> = model.words.chunks_exact(VERTEX_WORDS).map(place).collect();
-        assert_eq!(places.len(), 3 * 6);
-        assert!(places.iter().all(|p| (1.0..1.3).contains(&p.y)));
+        assert_eq!(places.len(), 3 * 6 + 2 * 6, "teeth, plate and bar");
+        assert!(places.iter().all(|p| (1.0..2.0).contains(&p.y)));
     }
 }

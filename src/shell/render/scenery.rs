@@ -1,11 +1,12 @@
 //! The scenery of a level: set pieces, put where the level wants them.
 
+use super::dangers::contains;
 use super::frame::PointLight;
 use super::kit::Kit;
-use super::model::{Model, hash};
+use super::model::{FACET_WORDS, Model, VERTEX_WORDS, hash};
 use super::terrain;
-use crate::level::{Level, Scenery, SceneryKind};
-use glam::{Mat4, vec3};
+use crate::level::{Kind, Level, Scenery, SceneryKind};
+use glam::{Mat4, Vec2, vec3};
 use std::f32::consts::TAU;
 
 /// How far in front of the plane of play scenery may stand: what is further in front would hang before the terrain.
@@ -13,15 +14,55 @@ const FOREMOST: f32 = terrain::EDGE - 0.12;
 /// Least scale at which the reach of a lamp shrinks with it.
 const SMALLEST_LAMP: f32 = 0.2;
 
+/// Metres under its foot at which what something stands on is looked for, and steps in which its end is.
+const UNDER: f32 = 0.15;
+const STEP: f32 = 0.25;
+/// What reaches this far above its foot stands on it, in metres; what does not hangs.
+const STANDS: f32 = 0.5;
+
 /// Builds all scenery of a level, with its lamps.
 pub fn build(kit: &Kit, level: &Level) -> (Model, Vec<PointLight>) {
     let (mut all, mut lamps) = (Model::default(), Vec::new());
     for thing in &level.scenery {
         let (place, scale) = place(thing);
-        all.add(kit.scenery(thing.kind), place);
+        let model = kit.scenery(thing.kind);
+        let (low, high) = model.bounds();
+        match high.y > STANDS && is_on_a_slab(level, thing, -low.y * scale) {
+            true => all.add(&without_footing(model), place),
+            false => all.add(model, place),
+        }
         lamps.extend(kit.scenery_lights(thing.kind, place, scale.max(SMALLEST_LAMP)));
     }
     (all, lamps)
+}
+
+/// Whether what a thing stands on ends before its footing does, which would hang into the room below.
+fn is_on_a_slab(level: &Level, thing: &Scenery, footing: f32) -> bool {
+    let foot = thing.at.as_vec2();
+    let solids = || level.features.iter().filter(|f| f.kind == Kind::Solid);
+    let is_solid = |below: f32| solids().any(|f| contains(f, foot - Vec2::Y * below));
+    let steps = (1..=(footing / STEP) as u32).map(|step| step as f32 * STEP);
+    is_solid(UNDER)
+        && steps
+            .filter(|&below| below > UNDER)
+            .any(|below| !is_solid(below))
+}
+
+/// A model without the facets that lie below its foot.
+fn without_footing(model: &Model) -> Model {
+    let mut words = Vec::with_capacity(model.words.len());
+    for facet in model.words.chunks_exact(FACET_WORDS) {
+        let heights = facet
+            .chunks_exact(VERTEX_WORDS)
+            .map(|v| f32::from_bits(v[1]));
+        if heights.fold(f32::MIN, f32::max) > UNDER / 3.0 {
+            words.extend(facet);
+        }
+    }
+    Model {
+        words,
+        ..Model::default()
+    }
 }
 
 /// Where a thing stands, and its scale.
@@ -61,8 +102,11 @@ fn own_turn(kind: SceneryKind) -> f32 {
 
 #[cfg(test)]
 mod tests {
+    use super::super::kit::tests::kit;
     use super::*;
+    use crate::level;
     use glam::{DVec2, Vec3};
+    use std::path::Path;
 
     fn thing(turn: Option<f64>, flip: bool) -> Scenery {
         Scenery {
@@ -86,6 +130,21 @@ mod tests {
         near(shown(Some(90.0), false), vec3(3.0, 2.0, -3.0));
         let free = shown(None, false);
         assert!(free.distance(vec3(5.0, 2.0, -1.0)) < 0.5 && free != shown(Some(0.0), false));
+    }
+
+    #[test]
+    fn footings_do_not_hang_through_a_slab() {
+        let with_slab = |bottom: f64| {
+            let text = format!(
+                "(version: 1, name: \"n\", start: (1, 9), goal: (min: (8, 9), max: (9, 12)), bottom: -20,
+                features: [(id: \"slab\", outline: [(0, {bottom}), (9, {bottom}), (9, 2), (0, 2)])],
+                scenery: [(kind: PillarSquare, at: (3, 2), depth: -3)])"
+            );
+            level::parse(&text, Path::new("test")).unwrap()
+        };
+        let lowest = |level: &Level| build(&kit(), level).0.bounds().0.y;
+        assert!(lowest(&with_slab(-9.0)) < 1.0, "in the rock");
+        assert!(lowest(&with_slab(1.2)) > 1.8, "on a slab");
     }
 
     #[test]
