@@ -1,6 +1,8 @@
 // One key light, a sky, lanterns, haze: all in linear light, all from the frame's mood.
 #include "frame.glsl"
 
+const int LAMPS = 16;
+const int MOVING_LAMPS = 3;
 const vec3 SUNSET = vec3(-0.52, 0.09, -0.85);   // where the sun has gone
 
 // Colour of the far haze in a direction.
@@ -23,17 +25,28 @@ vec3 fill(vec3 normal, float open) {
     return mix(ground_fill.rgb, sky_fill.rgb, normal.y * 0.5 + 0.5) * open;
 }
 
-// Light of the first lamps. The same as in src/shell/render/bake.rs.
-vec3 lamps(vec3 at, vec3 normal, int count) {
+// Light of a lamp at a place, with its reach. The same as in src/shell/render/bake.rs.
+vec3 lamp(vec4 place, vec3 colour, vec3 at, vec3 normal) {
+    vec3 way = place.xyz - at;
+    float square = dot(way, way);
+    float far = square / (place.w * place.w);
+    float facing = dot(normal, way) * inversesqrt(square + 0.01) * 0.7 + 0.3;
+    float left = max(1.0 - far, 0.0);
+    return colour * (max(facing, 0.0) * left * left / (1.0 + 9.0 * far));
+}
+
+// Light of all lamps; those that are not there are black. The count is fixed so that the loop can be written out: a driver
+// without a GPU would else look up the lamps for each corner by itself, which costs more than all the rest.
+vec3 lamps(vec3 at, vec3 normal) {
     vec3 light = vec3(0.0);
-    for (int i = 0; i < count; i++) {
-        vec3 way = light_at[i].xyz - at;
-        float far = dot(way, way) / (light_at[i].w * light_at[i].w);
-        if (far < 1.0) {
-            float facing = dot(normal, way) * inversesqrt(dot(way, way) + 0.01) * 0.7 + 0.3;
-            light += light_colour[i].rgb * max(facing, 0.0) * (1.0 - far) * (1.0 - far) / (1.0 + 9.0 * far);
-        }
-    }
+    for (int i = 0; i < LAMPS; i++) light += lamp(light_at[i], light_colour[i].rgb, at, normal);
+    return light;
+}
+
+// Light of the lamps that move, which are the first.
+vec3 moving_lamps(vec3 at, vec3 normal) {
+    vec3 light = vec3(0.0);
+    for (int i = 0; i < MOVING_LAMPS; i++) light += lamp(light_at[i], light_colour[i].rgb * step(float(i) + 0.5, scene.z), at, normal);
     return light;
 }
 

@@ -13,8 +13,8 @@ out float clear;         // share that the haze leaves
 #endif
 
 // `open`: openness to the sky; `glow`: share of the colour that shines by itself; `baked`: rgb: root of a quarter of the
-// light of the lamps that stand still, a: share of the key light; `count`: how many lamps are not among those.
-void light_up(vec3 at, vec3 n, vec3 albedo, float open, float glow, vec4 baked, int count) {
+// light of the lamps that stand still, a: share of the key light; `other`: light of the lamps that are not among those.
+void light_up(vec3 at, vec3 n, vec3 albedo, float open, float glow, vec4 baked, vec3 other) {
     float haze_share = fog(at);
     vec3 light = fill(n, open) + vec3(glow * 2.6);
 #ifdef PER_PIXEL
@@ -23,7 +23,7 @@ void light_up(vec3 at, vec3 n, vec3 albedo, float open, float glow, vec4 baked, 
     lit_normal = n;
     clear = 1.0 - haze_share;
 #else
-    light += lamps(at, n, count) + baked.rgb * baked.rgb * 4.0 * flicker(0.0);
+    light += other + baked.rgb * baked.rgb * 4.0 * flicker(0.0);
 #endif
     base = mix(albedo * light, haze(normalize(at - eye.xyz)), haze_share);
     float facing = max(dot(n, sun.xyz), 0.0);
@@ -33,5 +33,5 @@ void light_up(vec3 at, vec3 n, vec3 albedo, float open, float glow, vec4 baked, 
 
 // The same for what moves: nothing is baked.
 void light_up(vec3 at, vec3 n, vec3 albedo, float open, float glow) {
-    light_up(at, n, albedo, open, glow, vec4(0.0, 0.0, 0.0, 1.0), int(scene.x));
+    light_up(at, n, albedo, open, glow, vec4(0.0, 0.0, 0.0, 1.0), lamps(at, n));
 }

@@ -16,7 +16,7 @@ out vec4 screen;
 void main() {
     vec3 light = base + key * reached(shadow_at);
 #ifdef PER_PIXEL
-    light += lit_albedo * lamps(lit_at, lit_normal, int(scene.x)) * clear;
+    light += lit_albedo * lamps(lit_at, lit_normal) * clear;
 #endif
     screen = vec4(light, 1.0);
 }

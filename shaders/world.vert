@@ -11,6 +11,6 @@ layout(location = 4) in vec4 baked;    // rgb: root of a quarter of the light of
 void main() {
     vec3 at = blown(position, traits);
     vec3 albedo = colour.rgb * colour.rgb;   // close enough to the sRGB curve for painted colours
-    light_up(at, normal.xyz, albedo, colour.a, traits.x, baked, int(traits.w > 0.5 ? scene.z : scene.x));
+    light_up(at, normal.xyz, albedo, colour.a, traits.x, baked, moving_lamps(at, normal.xyz));
     gl_Position = view_proj * vec4(at, 1.0);
 }

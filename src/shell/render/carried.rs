@@ -2,7 +2,7 @@
 
 use super::fixtures::Arrows;
 use super::kit::Kit;
-use super::model::{Model, VERTEX_WORDS};
+use super::model::Model;
 use super::shards::Shards;
 use super::{dangers, fixtures, guides, terrain};
 use crate::game::Stage;
@@ -52,28 +52,24 @@ impl Carried {
         }
     }
 
-    /// Replaces `words` by all vertices, each mover this far from where it was drawn, in metres, and the belts as they are
-    /// at a time, in seconds.
-    pub fn write(&self, offsets: &[DVec2], time: f64, words: &mut Vec<u32>) {
-        words.clear();
-        for (model, offset) in self.movers.iter().zip(offsets) {
-            put(model, offset.as_vec2().extend(0.0), words);
+    /// The models of all movers, then those of the belts' arrows.
+    pub fn models(&self) -> impl Iterator<Item = &Model> {
+        let arrows = self.belts.iter().map(|belt| &belt.model);
+        self.movers.iter().chain(arrows)
+    }
+
+    /// Calls `show` with the number of each model and how far it is from where it was drawn, in metres: movers by their
+    /// offsets, the arrows of belts by a time, in seconds.
+    pub fn place(&self, offsets: &[DVec2], time: f64, mut show: impl FnMut(usize, Vec3)) {
+        for (number, offset) in offsets.iter().take(self.movers.len()).enumerate() {
+            show(number, offset.as_vec2().extend(0.0));
         }
-        for belt in &self.belts {
+        for (number, belt) in (self.movers.len()..).zip(&self.belts) {
             let way = (time * f64::from(belt.pace)).rem_euclid(1.0) as f32;
             for i in 0..belt.count {
-                put(&belt.model, belt.from + belt.step * (i as f32 + way), words);
+                show(number, belt.from + belt.step * (i as f32 + way));
             }
         }
-    }
-}
-
-/// Appends a model, moved.
-fn put(model: &Model, offset: Vec3, words: &mut Vec<u32>) {
-    for vertex in model.words.chunks_exact(VERTEX_WORDS) {
-        let at = Vec3::from_array([0, 1, 2].map(|i| f32::from_bits(vertex[i]))) + offset;
-        words.extend(at.to_array().map(f32::to_bits));
-        words.extend(&vertex[3..]);
     }
 }
 
@@ -81,11 +77,8 @@ fn put(model: &Model, offset: Vec3, words: &mut Vec<u32>) {
 fn add_resting_arrows(feature: &Feature, model: &mut Model) {
     for belt in fixtures::arrows(feature) {
         for i in 0..belt.count {
-            put(
-                &belt.model,
-                belt.from + belt.step * (i as f32 + 0.5),
-                &mut model.words,
-            );
+            let at = belt.from + belt.step * (i as f32 + 0.5);
+            model.add(&belt.model, Mat4::from_translation(at));
         }
     }
 }
@@ -107,13 +100,10 @@ mod tests {
             belts: fixtures::arrows(&belt),
         };
         let tips = |time: f64| {
-            let mut words = Vec::new();
-            carried.write(&[], time, &mut words);
-            let arrow = carried.belts[0].model.words.len();
-            let tips = words
-                .chunks_exact(arrow)
-                .map(|arrow| f32::from_bits(arrow[0]));
-            tips.collect::<Vec<_>>()
+            let tip = f32::from_bits(carried.belts[0].model.words[0]);
+            let mut tips = Vec::new();
+            carried.place(&[], time, |_, at| tips.push(at.x + tip));
+            tips
         };
         let (before, after) = (tips(100.0), tips(100.05));
         assert_eq!(before.len(), 8);

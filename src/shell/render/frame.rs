@@ -174,7 +174,7 @@ impl FrameBlock {
             push(
                 lights
                     .get(i)
-                    .map_or(Vec4::ZERO, |light| light.at.extend(light.reach)),
+                    .map_or(Vec4::W, |light| light.at.extend(light.reach)),
             );
         }
         for i in 0..MAX_LIGHTS {

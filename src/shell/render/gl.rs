@@ -5,6 +5,7 @@
 //! smallest block limit that OpenGL guarantees. The context must be current on the calling thread; it is never sent away.
 #![allow(unsafe_code)]
 
+pub mod crowd;
 mod pixels;
 
 use super::state::{CompileError, Format, Spec, Stage, Texels, Work};
@@ -427,6 +428,9 @@ impl Gl {
         times: usize,
     ) {
         let (gl, kind) = (&self.ctx, glow::TRIANGLES);
+        if count == 0 || times == 0 {
+            return;
+        }
         self.note(3, Some(count / 3 * times));
         // SAFETY: the callers keep vertices, or instances, within those that were uploaded.
         unsafe {

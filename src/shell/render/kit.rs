@@ -88,11 +88,17 @@ impl Kit {
         let parts = Part::NODES.iter().map(|(_, node)| *node);
         let scenery = SceneryKind::ALL.iter().map(|kind| kind.node());
         let entry = |node| Ok((node, entry(pieces.get(node)?)));
-        scenery
-            .chain(parts)
-            .map(entry)
-            .collect::<Result<_, _>>()
-            .map(Kit)
+        let entries = scenery.chain(parts).map(entry);
+        let mut kit = Kit(entries.collect::<Result<_, RenderError>>()?);
+        for (number, entry) in kit.0.values_mut().enumerate() {
+            entry.model.piece = Some(number);
+        }
+        Ok(kit)
+    }
+
+    /// All pieces, each at the place that its number says.
+    pub fn pieces(&self) -> impl Iterator<Item = &Model> {
+        self.0.values().map(|entry| &entry.model)
     }
 
     /// The model of a kind of scenery.
@@ -103,6 +109,17 @@ impl Kit {
     /// The model of a part.
     pub fn part(&self, part: Part) -> &Model {
         &self.entry(part.node()).model
+    }
+
+    /// The number of a part.
+    pub fn number(&self, part: Part) -> usize {
+        let before = self.0.keys().take_while(|node| **node != part.node());
+        before.count()
+    }
+
+    /// How many pieces there are.
+    pub fn count(&self) -> usize {
+        self.0.len()
     }
 
     /// The lamps of a kind of scenery that is placed; `scale` is that of the place.

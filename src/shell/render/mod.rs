@@ -9,6 +9,7 @@ mod bake;
 mod canvas;
 mod carried;
 mod courses;
+mod crowd;
 mod dangers;
 mod debug;
 mod error;
@@ -50,10 +51,11 @@ use crate::level::Area;
 use air::Air;
 use canvas::Canvas;
 use carried::Carried;
+use crowd::Crowd;
 use debug::Debug;
 use frame::FrameBlock;
 use gl::{Geometry, Gl, Uniforms};
-use glam::{Vec3, Vec4};
+use glam::{Mat4, Vec3, Vec4};
 use ground::Ground;
 use hero::Hero;
 use kit::Kit;
@@ -96,7 +98,8 @@ pub struct Renderer {
     kit: Kit,
     carried: Carried,
     shards: Shards,
-    movers: Geometry,
+    /// Instances: pieces that stand still, and what moves.
+    crowd: Crowd,
     hero: Hero,
     water: Geometry,
     water_height: f32,
@@ -149,7 +152,7 @@ impl Renderer {
             kit: Kit::load(models)?,
             carried: Carried::default(),
             shards: Shards::default(),
-            movers: gl.geometry(&VERTEX, false)?,
+            crowd: Crowd::new(&gl)?,
             hero: Hero::new(&gl)?,
             water: water::surface(&gl)?,
             water_height: 0.0,
@@ -176,6 +179,8 @@ impl Renderer {
         self.water_height = scene.water;
         self.chunks = scene.chunks;
         self.carried = Carried::of(stage, &self.kit);
+        let (pieces, movers) = (scene.pieces, self.carried.models());
+        self.crowd.set(&self.kit, movers, pieces, &scene.light);
         self.lamps = scene.lamps;
         self.gate = scene.gate;
         self.areas = stage.level.areas.clone();
@@ -283,15 +288,30 @@ impl Renderer {
         };
         block.write(&self.lit, &mut self.words);
         self.frame_uniforms.upload(&self.words);
-        self.carried
-            .write(frame.offsets, frame.time, &mut self.words);
-        let aim = frame.camera.target;
-        self.shards
-            .write(frame.view, aim, frame.time, &mut self.words);
-        self.movers.upload(&self.words);
+        self.place(frame, &block);
         self.air.upload(&self.lit, &mut self.words);
         self.debug.upload(frame.lines, frame.tris, &mut self.words);
         block
+    }
+
+    /// Puts what is drawn as instances where it is in this picture.
+    fn place(&mut self, frame: &Frame, block: &FrameBlock) {
+        let (crowd, words) = (&mut self.crowd, &mut self.words);
+        crowd.begin(words);
+        if self.quality.instanced && crowd.has_still() {
+            crowd.show_still(block, self.shadow_map.is_some(), words);
+        }
+        let first = self.kit.count();
+        self.carried.place(frame.offsets, frame.time, |number, at| {
+            let place = (first + number, Mat4::from_translation(at));
+            crowd.show(block, place, None, words);
+        });
+        let aim = frame.camera.target;
+        self.shards
+            .place(frame.view, aim, frame.time, |piece, place, glow| {
+                crowd.show(block, (piece, place), Some(glow), words);
+            });
+        crowd.upload(words);
     }
 
     /// Chooses the lamps of a picture: the hero's always, the checkpoint's that holds, the gate's second light once it is

@@ -1,9 +1,11 @@
 //! Flat-shaded triangles and the simple solids that everything in the picture is built of.
 
 use glam::{Mat4, Vec3};
+use std::ops::Range;
 
-/// Words of one vertex: position, normal, colour and shade, traits, baked light.
+/// Words of one vertex: position, normal, colour and shade, traits, baked light; and of a facet.
 pub const VERTEX_WORDS: usize = 7;
+pub const FACET_WORDS: usize = 3 * VERTEX_WORDS;
 /// Of the baked light: no lamp, and the key light unhindered.
 const UNBAKED: u32 = u32::from_ne_bytes([0, 0, 0, 255]);
 
@@ -90,6 +92,29 @@ pub struct Corner {
 pub struct Model {
     /// [`VERTEX_WORDS`] words for each corner of each triangle.
     pub words: Vec<u32>,
+    /// Which piece of the kit this is, if it is one.
+    pub piece: Option<usize>,
+    /// The pieces of the kit that were added, and which facets are theirs.
+    pub placed: Vec<Placed>,
+}
+
+/// A piece of the kit in a model.
+#[derive(Clone)]
+pub struct Placed {
+    /// Which one.
+    pub piece: usize,
+    /// Where it is.
+    pub place: Mat4,
+    /// Its facets in the model, in its own order.
+    pub facets: Range<usize>,
+}
+
+/// The order of a facet's corners after it was moved, so that a mirrored one is seen from its front as before.
+pub fn corner_order(place: Mat4) -> [usize; 3] {
+    match place.determinant() < 0.0 {
+        true => [0, 2, 1],
+        false => [0, 1, 2],
+    }
 }
 
 impl Model {
@@ -147,23 +172,13 @@ impl Model {
         }
     }
 
-    /// Appends its vertices to others, moved and shining as given.
-    pub fn write(&self, place: Mat4, glow: f32, words: &mut Vec<u32>) {
-        for vertex in self.words.chunks_exact(VERTEX_WORDS) {
-            let at = Vec3::from_array([0, 1, 2].map(|i| f32::from_bits(vertex[i])));
-            let normal = place.transform_vector3(unpack_signed(vertex[NORMAL]));
-            let [_, sway, part, rest] = vertex[TRAITS].to_ne_bytes().map(|b| f32::from(b) / 255.0);
-            let start = words.len();
-            words.extend(vertex);
-            for (word, c) in words[start..]
-                .iter_mut()
-                .zip(place.transform_point3(at).to_array())
-            {
-                *word = c.to_bits();
-            }
-            words[start + NORMAL] = pack_signed(normal.normalize_or_zero());
-            words[start + TRAITS] = pack([glow, sway, part, rest]);
-        }
+    /// The box around it: lower and upper corner.
+    pub fn bounds(&self) -> (Vec3, Vec3) {
+        let at = |v: &[u32]| Vec3::from_array([0, 1, 2].map(|i| f32::from_bits(v[i])));
+        let corners = self.words.chunks_exact(VERTEX_WORDS).map(at);
+        corners.fold((Vec3::INFINITY, Vec3::NEG_INFINITY), |(min, max), p| {
+            (min.min(p), max.max(p))
+        })
     }
 
     /// A blade of grass: a facet whose last corner alone the wind moves, dark at the root.
@@ -236,11 +251,21 @@ impl Model {
 
     /// Adds another model, moved; mirrored facets are seen from their fronts as before.
     pub fn add(&mut self, other: &Model, place: Mat4) {
-        let order = match place.determinant() < 0.0 {
-            true => [0, 2, 1],
-            false => [0, 1, 2],
-        };
-        let facets = other.words.chunks_exact(3 * VERTEX_WORDS);
+        let order = corner_order(place);
+        let before = self.words.len() / FACET_WORDS;
+        let whole = other.piece.map(|piece| Placed {
+            piece,
+            place: Mat4::IDENTITY,
+            facets: 0..other.words.len() / FACET_WORDS,
+        });
+        for placed in whole.iter().chain(&other.placed) {
+            self.placed.push(Placed {
+                piece: placed.piece,
+                place: place * placed.place,
+                facets: placed.facets.start + before..placed.facets.end + before,
+            });
+        }
+        let facets = other.words.chunks_exact(FACET_WORDS);
         let corner = |i: usize| i * VERTEX_WORDS..(i + 1) * VERTEX_WORDS;
         for vertex in facets.flat_map(|facet| order.map(|i| &facet[corner(i)])) {
             let at = Vec3::from_array([0, 1, 2].map(|i| f32::from_bits(vertex[i])));
@@ -258,6 +283,11 @@ impl Model {
 /// The unit normal of the facet or the vertex with these words.
 pub fn normal(words: &[u32]) -> Vec3 {
     unpack_signed(words[NORMAL])
+}
+
+/// Of the words of a vertex those that light changes: colour and openness, lamps and key light.
+pub fn light_of(words: &[u32]) -> [u32; 2] {
+    [words[COLOUR], words[TRAITS + 1]]
 }
 
 /// A regular polygon about a point, counter-clockwise seen from above.
@@ -325,26 +355,6 @@ mod tests {
         mirrored.add(&block, Mat4::from_scale(Vec3::new(-1.0, 1.0, 1.0)));
         assert!((volume(&mirrored) - 12.0).abs() < 1e-4);
         assert_eq!(mirrored.words.len(), block.words.len());
-    }
-
-    #[test]
-    fn what_is_written_is_moved_and_shines_as_told() {
-        let corner = |x: f32, y: f32| Corner {
-            at: Vec3::new(x, y, 0.0),
-            colour: Vec3::new(1.0, 0.5, 0.0),
-            open: 0.5,
-            sway: 0.25,
-        };
-        let mut model = Model::default();
-        model.shaded([corner(0.0, 0.0), corner(1.0, 0.0), corner(0.0, 1.0)], 1.0);
-        let mut words = vec![7];
-        model.write(Mat4::from_rotation_y(std::f32::consts::PI), 0.5, &mut words);
-        assert_eq!(words.len(), 1 + 3 * VERTEX_WORDS);
-        let second = &words[1 + VERTEX_WORDS..];
-        assert!((f32::from_bits(second[0]) + 1.0).abs() < 1e-6);
-        assert!(unpack_signed(second[NORMAL]).distance(Vec3::NEG_Z) < 1e-2);
-        assert_eq!(second[COLOUR].to_ne_bytes(), [255, 128, 0, 128]);
-        assert_eq!(second[TRAITS].to_ne_bytes(), [128, 64, 0, 0]);
     }
 
     #[test]

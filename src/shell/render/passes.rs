@@ -5,6 +5,7 @@ use super::frame::FrameBlock;
 use super::gl::{Bound, Gl, Program};
 use super::program::{self, Library};
 use super::quality::Quality;
+use super::scene::Chunk;
 use super::state::{Blend, Cull, Depth};
 use super::{RenderError, Renderer};
 use std::ops::Range;
@@ -15,6 +16,7 @@ const SHADOW_UNIT: u32 = 0;
 const LIGHT_UNIT: u32 = 1;
 const BLOOM_UNIT: u32 = 2;
 const SCREEN_UNIT: u32 = 3;
+const PIECE_UNIT: u32 = 4;
 /// What shows where no sky is drawn.
 const DARK: [f32; 3] = [0.0; 3];
 
@@ -59,7 +61,10 @@ impl Pass {
 /// One program for each pass.
 pub(super) struct Programs {
     shadow: Program,
+    placed_shadow: Program,
     world: Program,
+    piece: Program,
+    loose: Program,
     hero: Program,
     hero_shadow: Program,
     hero_line: Program,
@@ -84,7 +89,10 @@ impl Programs {
         let load = |vertex, fragment| program::load(gl, &library, vertex, fragment);
         Ok(Programs {
             shadow: load("shadow", "shadow")?,
+            placed_shadow: load("placed_shadow", "shadow")?,
             world: load("world", "world")?,
+            piece: load("piece", "world")?,
+            loose: load("loose", "world")?,
             hero: load("hero", "world")?,
             hero_shadow: load("hero_shadow", "shadow")?,
             hero_line: load("hero_line", "flat")?,
@@ -157,15 +165,20 @@ impl Renderer {
         self.gl.state(Depth::Write, Blend::Off, Cull::Off);
         self.gl
             .triangles(&self.programs.hero_shadow, &self.hero.mesh, hero);
-        self.gl
-            .triangles(&self.programs.shadow, &self.movers, 0..usize::MAX);
-        for chunk in self
-            .chunks
-            .iter()
-            .filter(|chunk| block.shades(chunk.min, chunk.max))
-        {
+        let programs = &self.programs;
+        self.crowd.draw_casting(&programs.placed_shadow);
+        let chunks = self.chunks.iter();
+        for chunk in chunks.filter(|chunk| block.shades(chunk.min, chunk.max)) {
             self.gl
-                .triangles(&self.programs.shadow, &self.world, chunk.vertices.clone());
+                .triangles(&programs.shadow, &self.world, self.part(chunk));
+        }
+    }
+
+    /// The vertices of a chunk that are not drawn as instances.
+    fn part(&self, chunk: &Chunk) -> Range<usize> {
+        match self.quality.instanced && self.crowd.has_still() {
+            true => chunk.bare.clone(),
+            false => chunk.vertices.clone(),
         }
     }
 
@@ -178,16 +191,14 @@ impl Renderer {
             self.gl
                 .triangles(&self.programs.hero_line, &self.hero.mesh, hero);
         }
-        self.gl
-            .triangles(&self.programs.world, &self.movers, 0..usize::MAX);
-        for chunk in self
-            .chunks
-            .iter()
-            .filter(|chunk| block.sees(chunk.min, chunk.max))
-        {
+        let programs = &self.programs;
+        self.crowd.draw_loose(&programs.loose);
+        let chunks = self.chunks.iter();
+        for chunk in chunks.filter(|chunk| block.sees(chunk.min, chunk.max)) {
             self.gl
-                .triangles(&self.programs.world, &self.world, chunk.vertices.clone());
+                .triangles(&programs.world, &self.world, self.part(chunk));
         }
+        self.crowd.draw_still(&programs.piece, PIECE_UNIT);
     }
 
     /// The water under the level.

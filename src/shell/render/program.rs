@@ -12,7 +12,13 @@ use std::path::{Path, PathBuf};
 pub const BLOCKS: [&str; 2] = ["FrameBlock", "HeroBlock"];
 
 /// Samplers by name, in the order of the texture units that they read.
-pub const SAMPLERS: [&str; 4] = ["shadow_map", "light_map", "bloom_map", "screen_map"];
+pub const SAMPLERS: [&str; 5] = [
+    "shadow_map",
+    "light_map",
+    "bloom_map",
+    "screen_map",
+    "piece_light",
+];
 
 /// Where shaders come from: their directory, and the lines that are put before each.
 pub struct Library<'a> {

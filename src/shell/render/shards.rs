@@ -1,9 +1,7 @@
-//! What floats and lights up: the shards over lodestones, and the light of the gate. Few triangles, put together anew
-//! for each picture.
+//! What floats and lights up: the shards over lodestones, and the light of the gate.
 
 use super::frame::PointLight;
 use super::kit::{Kit, Part};
-use super::model::Model;
 use crate::game::View;
 use glam::{DVec2, Mat4, Vec3};
 
@@ -39,8 +37,9 @@ struct Shard {
 /// Everything of a stage that floats.
 #[derive(Default)]
 pub struct Shards {
-    shard: Model,
-    gate: Model,
+    /// Numbers of their pieces in the kit.
+    shard: usize,
+    gate: usize,
     shards: Vec<Shard>,
     gates: Vec<Vec3>,
 }
@@ -49,8 +48,8 @@ impl Shards {
     /// Nothing floats yet.
     pub fn new(kit: &Kit) -> Shards {
         Shards {
-            shard: kit.part(Part::LodestoneShard).clone(),
-            gate: kit.part(Part::GateLight).clone(),
+            shard: kit.number(Part::LodestoneShard),
+            gate: kit.number(Part::GateLight),
             ..Shards::default()
         }
     }
@@ -78,8 +77,8 @@ impl Shards {
         taken.and_then(|shard| shard.light)
     }
 
-    /// Appends the vertices of all that is near the camera's aim.
-    pub fn write(&self, view: &View, aim: Vec3, time: f64, words: &mut Vec<u32>) {
+    /// Calls `show` with the piece, the place and the glow of all that is near the camera's aim.
+    pub fn place(&self, view: &View, aim: Vec3, time: f64, mut show: impl FnMut(usize, Mat4, f32)) {
         let seconds = time as f32;
         for shard in &self.shards {
             if (shard.foot.x - aim.x).abs() > NEAR {
@@ -90,7 +89,7 @@ impl Shards {
             let place = Mat4::from_translation(shard.foot + Vec3::Y * (HEIGHT + rise))
                 * Mat4::from_rotation_y(seconds * SPIN[taken] + shard.foot.x)
                 * Mat4::from_scale(Vec3::splat(SIZE[taken]));
-            self.shard.write(place, GLOW[taken], words);
+            show(self.shard, place, GLOW[taken]);
         }
         for foot in self
             .gates
@@ -103,7 +102,7 @@ impl Shards {
             };
             let breath = BREATH * (seconds * 0.8).sin();
             let glow = WAITING + breath + (1.0 - WAITING) * dawn;
-            self.gate.write(Mat4::from_translation(*foot), glow, words);
+            show(self.gate, Mat4::from_translation(*foot), glow);
         }
     }
 }

@@ -4,7 +4,7 @@
 use super::gl::Gl;
 
 /// Texture units that passes read from.
-const UNITS: u32 = 4;
+const UNITS: u32 = 5;
 
 /// One vertex attribute; data are 32-bit words, so each format is a multiple of four bytes.
 #[derive(Clone, Copy, Debug)]
