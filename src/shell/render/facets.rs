@@ -58,12 +58,19 @@ fn coord(p: DVec2) -> Coord<f64> {
 }
 
 impl Facets {
-    /// Joins triangles (counter-clockwise) along the edges that they share.
+    /// Joins triangles (counter-clockwise) along the edges that they share. Their order does not matter, nor which of their
+    /// corners comes first: the picture is the same however the mesh was built.
     pub fn new(triangles: &[([Point; 3], Look)]) -> Facets {
+        let from_least = |([a, b, c], look): &([Point; 3], Look)| {
+            let corners = [[a, b, c], [b, c, a], [c, a, b]].map(|turned| turned.map(|p| *p));
+            (corners.into_iter().min().unwrap_or([*a, *b, *c]), *look)
+        };
+        let mut triangles: Vec<_> = triangles.iter().map(from_least).collect();
+        triangles.sort_by_key(|(corners, _)| *corners);
         let mut facets = Facets::default();
         let mut vertices: BTreeMap<Point, usize> = BTreeMap::new();
         let mut edges: BTreeMap<(usize, usize), usize> = BTreeMap::new();
-        for (corners, look) in triangles {
+        for (corners, look) in &triangles {
             let corners = corners.map(|point| {
                 *vertices.entry(point).or_insert_with(|| {
                     facets.points.push(point.metres());
@@ -387,21 +394,35 @@ mod tests {
 
     /// A 40 m by 10 m slab as two triangles, with a masonry block of 10 m by 10 m at its right end.
     fn slab() -> Facets {
+        Facets::new(&slab_triangles())
+    }
+
+    fn slab_triangles() -> [([Point; 3], Look); 4] {
         let p = |x: i32, y: i32| Point::new(x << 16, y << 16);
         let rock = Look::default();
         let masonry = Look {
             material: Material::Masonry,
             ..rock
         };
-        let left = [
+        [
             ([p(0, 0), p(40, 0), p(40, 10)], rock),
             ([p(0, 0), p(40, 10), p(0, 10)], rock),
-        ];
-        let right = [
             ([p(40, 0), p(50, 0), p(50, 10)], masonry),
             ([p(40, 0), p(50, 10), p(40, 10)], masonry),
-        ];
-        Facets::new(&[left, right].concat())
+        ]
+    }
+
+    #[test]
+    fn the_order_of_triangles_and_of_their_corners_does_not_matter() {
+        let mut other = slab_triangles();
+        other.reverse();
+        other
+            .iter_mut()
+            .for_each(|(corners, _)| corners.rotate_left(1));
+        let mut both = [slab(), Facets::new(&other)];
+        both.iter_mut().for_each(|f| f.refine(1.3, 1.8, jitter));
+        assert_eq!(both[0].points, both[1].points);
+        assert_eq!(both[0].origin, both[1].origin);
     }
 
     fn jitter(p: DVec2) -> DVec2 {

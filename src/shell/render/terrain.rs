@@ -102,8 +102,7 @@ fn built_front(look: Look) -> f32 {
     EDGE + rim(look) as f32
 }
 
-/// The solid faces of a mesh of outlines with the look of the last solid that covers them; in an order, and each from a corner
-/// on, that depend on their places alone: the picture shall not change when the mesh is built in another order.
+/// The solid faces of a mesh of outlines with the look of the last solid that covers them.
 pub fn solids(mesh: &Mesh, stage: &Stage) -> Vec<([Point; 3], Look)> {
     let look = |face| {
         let mut covers = mesh.cover(face).iter().rev();
@@ -112,15 +111,7 @@ pub fn solids(mesh: &Mesh, stage: &Stage) -> Vec<([Point; 3], Look)> {
         feature.map_or_else(Look::default, look_of)
     };
     let solid = mesh.faces().filter(|&face| mesh.is_solid(face));
-    let corners = |face| {
-        let mut corners = mesh.corners(face);
-        let first = (0..3).min_by_key(|&i| corners[i]).unwrap_or(0);
-        corners.rotate_left(first);
-        corners
-    };
-    let mut solids: Vec<_> = solid.map(|face| (corners(face), look(face))).collect();
-    solids.sort_by_key(|(corners, _)| *corners);
-    solids
+    solid.map(|face| (mesh.corners(face), look(face))).collect()
 }
 
 /// What a feature is to look like.
