@@ -47,7 +47,7 @@ impl Air {
             }
         }
         let left = best.map(|(dt, blocks, e)| match blocks {
-            true if self.is_beyond(mesh, e, dt) => {
+            true if self.is_beyond(mesh, e, dt, DISPLACED) => {
                 let (end, e) = self.passes_lip(mesh, dt).unwrap_or((dt, e));
                 (self.t0 + end, Next::Hit(e, end))
             }
@@ -150,13 +150,13 @@ impl Air {
         a < b || a == b && up > other
     }
 
-    /// Whether the body, so long after `t0`, is further beyond an end of an edge than rounding displaces. Only an edge that
+    /// Whether the body, so long after `t0`, is further beyond an end of an edge than rounding displaces, m. Only an edge that
     /// it touches can be hit there: who flies past a lip of a step comes back to the feature edge much later.
-    fn is_beyond(&self, mesh: Ground, e: EdgeId, dt: f64) -> bool {
+    fn is_beyond(&self, mesh: Ground, e: EdgeId, dt: f64, displaced: f64) -> bool {
         let p = self.position(self.t0 + dt);
         let [a, b] = [mesh.origin(e), mesh.dest(e)].map(|v| mesh.point(v).metres());
         let excess = (p - a).dot(a - b).max((p - b).dot(b - a));
-        excess > DISPLACED * (b - a).length()
+        excess > displaced * (b - a).length()
     }
 
     /// When the parabola first passes the end of an edge that it touches, before `until`, and that edge.
@@ -179,7 +179,8 @@ impl Air {
     /// When a flight along an edge that it touches, or that it falls through, passes the end of that, where the free edge `e`
     /// begins, and where it leads from there: if it crosses the line of that edge later, at `dt`, and only beyond this end.
     fn passes_end(&self, mesh: Ground, e: EdgeId, dt: f64) -> Option<(f64, Next)> {
-        if !self.is_beyond(mesh, e, dt) {
+        // Its end is a vertex, which rounding has put at most a step off.
+        if !self.is_beyond(mesh, e, dt, STEP) {
             return None;
         }
         let there = self.position(self.t0 + dt);
@@ -210,7 +211,13 @@ impl Air {
         let next = match sector(mesh, spoke, bearing) {
             Sector::Free(face) if face == self.face => return None,
             Sector::Free(face) => Next::Cross(mesh.sym(mesh.sides(face)[0]), at),
-            Sector::Solid(out, _) => Next::Hit(out, at),
+            Sector::Solid(out, into) => {
+                let strikes = |e: &EdgeId| {
+                    let s = segment_at(mesh, *e, |_| false);
+                    s.is_some_and(|s| mesh.track(s).normal.dot(bearing.d) < 0.0)
+                };
+                Next::Hit([out, into].into_iter().find(strikes).unwrap_or(out), at)
+            }
         };
         Some((self.t0 + at, next))
     }
@@ -270,13 +277,14 @@ impl Body {
     pub(super) fn hit(&mut self, edge: EdgeId, since: f64, terrain: &Terrain, trace: &mut Trace) {
         let mesh = self.ground(terrain);
         let at = self.local_position();
+        let mut accel = DVec2::ZERO;
         if let Mode::Air(air) = &mut self.mode {
-            air.since = since;
+            (air.since, accel) = (since, air.accel);
         }
         if self.climb_onto(edge, terrain, trace) {
             return;
         }
-        match gone_into(mesh, edge, self.local_velocity()) {
+        match gone_into(mesh, edge, self.local_velocity(), accel) {
             Some(segment) => self.contact(segment, edge, terrain, trace),
             None => self.wedge(at, edge, terrain, trace),
         }

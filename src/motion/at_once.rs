@@ -32,6 +32,14 @@ pub struct Meeting {
     at: f64,
 }
 
+impl Meeting {
+    /// Whether another one is with the same edge.
+    fn is_with(&self, other: &Meeting) -> bool {
+        let edge = |m: &Meeting| (m.mover, m.size, m.segment);
+        edge(self) == edge(other)
+    }
+}
+
 /// What an edge asks of a velocity.
 #[derive(Clone, Copy, Debug)]
 struct Demand {
@@ -105,12 +113,30 @@ impl Body {
     /// Notes what the body is on and what presses on it. If it is back at something that it has left, and all that it has met
     /// leaves it no velocity, it is crushed; if it leaves one, and no time has passed, it goes on with that.
     pub(super) fn meet_again(&mut self, terrain: &Terrain, trace: &mut Trace) {
-        let now = self.time;
+        let mut meetings = std::mem::take(&mut self.meetings);
+        let back = self.note(&mut meetings, terrain);
+        meetings.retain(|m| m.lasts || self.demand(m, terrain).is_some());
+        self.meetings = meetings;
+        let Some(left) = back else {
+            return;
+        };
+        let demands = self.meetings.iter();
+        let demands: Vec<Demand> = demands.filter_map(|m| self.demand(m, terrain)).collect();
+        let at_once = self.time - left <= CREEP * self.time.abs();
+        if leave_none(&demands) {
+            self.crush(terrain, trace);
+        } else if at_once && let Some(v) = way_out(&demands, self.velocity()) {
+            self.fly_off(v, terrain, trace);
+        }
+    }
+
+    /// Notes what the body is on and what presses on it. If it is back at something, when it left that, s; the last time of several.
+    fn note(&self, meetings: &mut Vec<Meeting>, terrain: &Terrain) -> Option<f64> {
+        let (now, size) = (self.time, self.size);
         let mine = self.left_behind(terrain).into_iter().flatten();
         let mine = mine.map(|segment| (self.carrier(), segment));
         let pressing = self.beside.iter();
         let pressing = pressing.filter_map(|b| b.contact.map(|c| (b.mover(), c.segment)));
-        let size = self.size;
         let present = mine.chain(pressing).map(|(mover, segment)| Meeting {
             mover,
             size,
@@ -118,34 +144,22 @@ impl Body {
             lasts: true,
             at: now,
         });
-        let present: Vec<Meeting> = present.collect();
-        let is =
-            |a: &Meeting, b: &Meeting| (a.mover, a.size, a.segment) == (b.mover, b.size, b.segment);
-        let mut known = std::mem::take(&mut self.meetings);
-        let (mut again, mut at_once) = (false, false);
-        for old in &mut known {
-            let lasts = present.iter().any(|m| is(m, old));
-            let back = lasts && !old.lasts;
-            again |= back;
-            at_once |= back && now - old.at <= CREEP * now.abs();
-            (old.lasts, old.at) = (lasts, if lasts || old.lasts { now } else { old.at });
+        let mut back = None;
+        for old in meetings.iter_mut() {
+            let lasts = present.clone().any(|new| new.is_with(old));
+            if lasts && !old.lasts {
+                back = Some(back.map_or(old.at, |at: f64| at.max(old.at)));
+            }
+            if lasts || old.lasts {
+                (old.lasts, old.at) = (lasts, now);
+            }
         }
-        let new = present
-            .iter()
-            .filter(|m| !known.iter().any(|old| is(old, m)));
-        let new: Vec<Meeting> = new.copied().collect();
-        known.extend(new);
-        let demands = known.iter().map(|m| self.demand(m, terrain));
-        let demands: Vec<Option<Demand>> = demands.collect();
-        let mut near = demands.iter().map(Option::is_some);
-        known.retain(|_| near.next().unwrap_or(false));
-        self.meetings = known;
-        let demands: Vec<Demand> = demands.into_iter().flatten().collect();
-        if again && leave_none(&demands) {
-            self.crush(terrain, trace);
-        } else if at_once && let Some(v) = way_out(&demands, self.velocity()) {
-            self.fly_off(v, terrain, trace);
+        for new in present {
+            if !meetings.iter().any(|old| new.is_with(old)) {
+                meetings.push(new);
+            }
         }
+        back
     }
 
     /// Off what it is on, with a velocity in the world.

@@ -9,9 +9,9 @@
 use super::body::{Air, Body, Crushed, EventKind, Mode, Next, Size, SpawnError, Trace};
 use super::contact::Contact;
 use super::mover::{Piece, Ride};
-use super::size::{clear_in_flight, free_face};
+use super::size::{clear_in_flight, free_face, free_face_at};
 use super::terrain::{Ground, Terrain};
-use super::vertex::JOINT_STEPS;
+use super::vertex::{Bearing, JOINT_STEPS};
 use crate::geom::STEP;
 use crate::mesh::{EdgeId, FaceId, Mesh, SegmentId};
 use glam::DVec2;
@@ -103,8 +103,24 @@ impl Beside {
         self.plan(now, size, terrain);
     }
 
-    /// The face, and what presses, in the mesh of a size; `None` if the place is not free there.
-    fn place(&self, now: f64, size: Size, terrain: &Terrain) -> Option<(FaceId, Option<Contact>)> {
+    /// From now on an edge presses.
+    pub(super) fn press(&mut self, contact: Contact, mesh: Ground) {
+        let face = mesh.left(contact.edge);
+        self.flight.face = face.expect("free on the left of a blocking edge");
+        let before = self.flight.touching.into_iter().flatten();
+        let before = before.into_iter().find(|&s| s != contact.segment);
+        self.flight.touching = [Some(contact.segment), before];
+        (self.contact, self.of) = (Some(contact), None);
+    }
+
+    /// The face, and what presses, in the mesh of a size; `None` if the place is not free there, but for the `rounding` of the position.
+    fn place(
+        &self,
+        now: f64,
+        rounding: f64,
+        size: Size,
+        terrain: &Terrain,
+    ) -> Option<(FaceId, Option<Contact>)> {
         let mesh = self.ground(size, terrain);
         let (p, v) = (self.flight.position(now), self.flight.velocity(now));
         let other = match size {
@@ -115,7 +131,8 @@ impl Beside {
         if let Some(contact) = self.contact.as_ref().and_then(again) {
             return Some((mesh.left(contact.edge)?, Some(contact)));
         }
-        Some((free_face(mesh, p, v, DVec2::NEG_Y).ok()?, None))
+        let bearing = Bearing::of(v, DVec2::NEG_Y);
+        Some((free_face_at(mesh, p, bearing, rounding).ok()?, None))
     }
 
     /// Finds the next event in this frame. At the same time its own new piece comes first: a lift that stops under a ceiling
@@ -416,15 +433,16 @@ impl Body {
 
     /// Whether a place in every other frame is free for another size too.
     pub(super) fn fits_beside(&self, size: Size, terrain: &Terrain) -> bool {
-        let fits = |b: &Beside| b.place(self.time, size, terrain).is_some();
+        let rounding = self.rounding();
+        let fits = |b: &Beside| b.place(self.time, rounding, size, terrain).is_some();
         self.beside.iter().all(fits)
     }
 
     /// Takes the places in all other frames for a size that fits there.
     pub(super) fn take_places(&mut self, size: Size, terrain: &Terrain) {
-        let now = self.time;
+        let (now, rounding) = (self.time, self.rounding());
         for beside in &mut self.beside {
-            if let Some((face, contact)) = beside.place(now, size, terrain) {
+            if let Some((face, contact)) = beside.place(now, rounding, size, terrain) {
                 beside.flight.face = face;
                 beside.flight.touching = [contact.map(|c| c.segment), None];
                 (beside.contact, beside.of) = (contact, None);
@@ -434,7 +452,11 @@ impl Body {
 
     /// When the body, which waits to stand up where its own frame has room, is clear of the solids of other frames too.
     pub(super) fn clear_beside(&self, until: f64, terrain: &Terrain) -> Option<f64> {
-        let blocked = |b: &&Beside| b.place(self.time, Size::Stand, terrain).is_none();
+        let rounding = self.rounding();
+        let blocked = |b: &&Beside| {
+            let place = b.place(self.time, rounding, Size::Stand, terrain);
+            place.is_none()
+        };
         let clear = self.beside.iter().filter(blocked).map(|b| {
             let mesh = b.ground(Size::Stand, terrain);
             clear_in_flight(&b.flight, self.time, until, mesh).unwrap_or(f64::INFINITY)

@@ -228,7 +228,12 @@ impl Body {
     }
 
     /// An edge of another frame that the body has not yet come apart from, as what would press on it.
-    fn at_hand(&self, beside: &Beside, segment: SegmentId, terrain: &Terrain) -> Option<Contact> {
+    pub(super) fn at_hand(
+        &self,
+        beside: &Beside,
+        segment: SegmentId,
+        terrain: &Terrain,
+    ) -> Option<Contact> {
         let mesh = beside.ground(self.size, terrain);
         let (track, (q, _)) = (mesh.track(segment), self.seen_from(beside));
         if track.height(q, q, q).0.abs() > STEP {

@@ -9,7 +9,7 @@ use super::body::{Body, EventKind, Mode, Surface, Trace};
 use super::grip::Grip;
 use super::size::free_face;
 use super::terrain::{Ground, Terrain};
-use super::vertex::{JOINT_STEPS, segment_at, spokes, surface_next};
+use super::vertex::{Bearing, JOINT_STEPS, Sector, sector, segment_at, spokes, surface_next};
 use crate::geom::{Point, STEP};
 use crate::mesh::{EdgeId, FaceId, Place, Segment, SegmentId};
 use glam::DVec2;
@@ -241,11 +241,20 @@ impl Body {
         let Some((edge, at)) = nearest_rim(ground, p, v) else {
             return self.hold(terrain, trace);
         };
-        let face = ground
+        let rim = ground
             .left(edge)
             .expect("a rim has a free face on its left");
         let segment = segment_at(ground, edge, |_| false);
         let depth = (at - p).length();
+        // At a vertex it goes on where its velocity leads, or meets the corner at once.
+        let mut spokes = [edge, ground.lnext(edge)].into_iter();
+        let spoke = spokes.find(|&e| ground.point(ground.origin(e)).metres() == at);
+        let ahead = spoke.map(|e| sector(ground, e, Bearing::of(v, DVec2::NEG_Y)));
+        let (face, shut) = match ahead {
+            Some(Sector::Free(face)) => (face, false),
+            Some(Sector::Solid(..)) => (rim, true),
+            None => (rim, false),
+        };
         self.rising = false;
         self.fly(at, v, face, [segment, None]);
         if depth > 2.0 * STEP {
@@ -253,6 +262,8 @@ impl Body {
         }
         if !self.is_free_beside(terrain) {
             self.crush(terrain, trace);
+        } else if shut {
+            self.hit(edge, 0.0, terrain, trace);
         }
         self.refresh(terrain, trace);
     }

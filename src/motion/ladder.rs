@@ -230,6 +230,7 @@ impl Body {
         };
         let goal = self.climb_goal(since, t);
         let accel = self.climb_accel(base, t);
+        let carried = self.frame_piece();
         match &mut self.mode {
             Mode::Air(air) => {
                 let reached = air.t0 + (goal - air.v0).length() / t.climb_accel;
@@ -241,7 +242,11 @@ impl Body {
             }
             Mode::Surface(on) => {
                 let goal = goal.dot(on.track.tangent);
-                let law = Law::towards(on.u0, goal, t.climb_accel).up_to_turn(on.u0);
+                // What carries him bears the wish of the level along.
+                let drift = -on.track.tangent.dot(carried.accel);
+                let rounding = carried.rounding(since) + ROUNDING * (goal.abs() + on.u0.abs());
+                let law = Law::after(on.u0, goal, drift, t.climb_accel, rounding);
+                let law = law.up_to_turn(on.u0);
                 let left = law.until.zip(law.time_left(on.u0));
                 on.accel = law.accel;
                 on.limit = left.map(|(until, left)| (on.t0 + left, until));

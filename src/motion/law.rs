@@ -34,6 +34,26 @@ impl Law {
         }
     }
 
+    /// Towards a speed that drifts itself, m/s^2, and from there on with it. `rounding`: so near it counts as reached.
+    pub(super) fn after(speed: f64, target: f64, drift: f64, rate: f64, rounding: f64) -> Law {
+        let miss = target - speed;
+        if drift == 0.0 {
+            return Law::towards(speed, target, rate);
+        }
+        if miss.abs() <= rounding {
+            return Law {
+                accel: drift.clamp(-rate, rate),
+                until: None,
+            };
+        }
+        let accel = rate.copysign(miss);
+        let left = miss / (accel - drift);
+        Law {
+            accel,
+            until: (left > 0.0 && left.is_finite()).then_some(speed + accel * left),
+        }
+    }
+
     /// The same, but no further than to the turn, if the speed turns before.
     pub(super) fn up_to_turn(self, speed: f64) -> Law {
         let turns = speed * self.accel < 0.0 && self.until.is_none_or(|until| until * speed < 0.0);

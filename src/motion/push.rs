@@ -23,7 +23,7 @@ impl Body {
         let t = terrain.tuning;
         let mesh = self.beside[i].ground(self.size, terrain);
         let (q, w) = self.seen_from(&self.beside[i]);
-        let Some(segment) = gone_into(mesh, edge, w) else {
+        let Some(segment) = gone_into(mesh, edge, w, self.beside[i].flight.accel) else {
             return self.crush(terrain, trace);
         };
         let track = mesh.track(segment);
@@ -68,13 +68,10 @@ impl Body {
         if held || !hands_over {
             return self.touch(i, contact, into, trace, mesh);
         }
-        let s = track.parameter(q);
-        let mover = self.beside[i].mover();
-        self.board(
-            i,
-            Surface::new(self.time, (segment, track, edge), s, u, onto),
-            terrain,
-        );
+        let (s, mover) = (track.parameter(q), self.beside[i].mover());
+        let wall = self.wall_beside(self.ground(terrain));
+        let surface = Surface::new(self.time, (segment, track, edge), s, u, onto);
+        self.board(i, surface, terrain);
         self.log(
             match (walks, onto) {
                 (true, true) => EventKind::Boarded(mover),
@@ -91,6 +88,10 @@ impl Body {
                 edge: below.edge,
             };
             self.beside[i].contact = Some(was);
+        } else if let Some(wall) = wall.and_then(|s| self.at_hand(&self.beside[i], s, terrain)) {
+            // And so does what he has stood against.
+            let mesh = self.beside[i].ground(self.size, terrain);
+            self.beside[i].press(wall, mesh);
         }
     }
 
@@ -195,13 +196,7 @@ impl Body {
             Some(mover) if contact.track.normal.dot(apart) > 0.0 => EventKind::Pushed(mover),
             _ => EventKind::Stopped(into),
         };
-        beside.flight.face = mesh
-            .left(contact.edge)
-            .expect("free on the left of a blocking edge");
-        let before = beside.flight.touching.into_iter().flatten();
-        let before = before.into_iter().find(|&s| s != contact.segment);
-        beside.flight.touching = [Some(contact.segment), before];
-        (beside.contact, beside.of) = (Some(contact), None);
+        beside.press(contact, mesh);
         self.log(kind, trace);
         self.keep_before(i, &contact);
         if let Mode::Surface(on) = &mut self.mode
@@ -334,15 +329,15 @@ impl Body {
             return self.crush(terrain, trace);
         };
         let up = (joint.speed * on.cosine).max(0.0);
+        let driven = self.presses_on(joint.track.tangent * joint.sign, terrain);
         match self.squeezes(&on, up, terrain) {
-            Some(u) => {
+            // From rest he goes on only if he has to: else he would be back at once.
+            Some(u) if u != 0.0 || driven => {
                 let into = joint.lost(up);
                 self.settle(on.segment, on.edge, on.start, u, into, terrain, trace);
             }
-            None if self.presses_on(joint.track.tangent * joint.sign, terrain) => {
-                self.crush(terrain, trace)
-            }
-            None => self.stop(&joint, Some(&on), trace, mesh),
+            None if driven => self.crush(terrain, trace),
+            _ => self.stop(&joint, Some(&on), trace, mesh),
         }
     }
 
@@ -391,7 +386,7 @@ impl Body {
         }
         let blocked = [a, b]
             .into_iter()
-            .filter(|(side, _)| side.track.normal.dot(track.normal) <= 0.0);
+            .filter(|(side, _)| side.track.normal.dot(track.normal) < 0.0);
         let blocked: Vec<(Surface, DVec2)> = blocked.collect();
         match &blocked[..] {
             [] => {

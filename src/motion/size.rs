@@ -29,7 +29,7 @@ pub(super) fn free_face(
 }
 
 /// The same, for a position that is known to be off the feature edges themselves but for some rounding, m.
-fn free_face_at(
+pub(super) fn free_face_at(
     mesh: Ground,
     p: DVec2,
     bearing: Bearing,

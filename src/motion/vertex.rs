@@ -102,12 +102,17 @@ pub fn segment_at(
     mesh.facing(e).max_by_key(rank)
 }
 
-/// The feature edge along a mesh edge that a velocity leads into: not the best of them, if the body moves off that.
-pub fn gone_into(mesh: Ground, edge: EdgeId, v: DVec2) -> Option<SegmentId> {
-    let into = |s: SegmentId| mesh.track(s).normal.dot(v) < 0.0;
+/// The feature edge along a mesh edge that a motion leads into, from rest or along it by its acceleration: not the best of them,
+/// if the body moves off that.
+pub fn gone_into(mesh: Ground, edge: EdgeId, v: DVec2, accel: DVec2) -> Option<SegmentId> {
+    let away = |s: SegmentId| {
+        let normal = mesh.track(s).normal;
+        let along = normal.dot(v) == 0.0;
+        normal.dot(if along { accel } else { v })
+    };
     let best = segment_at(mesh, edge, |_| false)?;
-    match mesh.track(best).normal.dot(v) > 0.0 {
-        true => segment_at(mesh, edge, into),
+    match away(best) > 0.0 {
+        true => segment_at(mesh, edge, |s| away(s) < 0.0),
         false => Some(best),
     }
 }
