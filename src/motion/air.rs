@@ -248,8 +248,13 @@ impl Air {
         let Some(s) = segment_at(mesh, e, |_| false) else {
             return dt;
         };
-        let (c, b, q) = mesh.track(s).height(self.p0, self.v0, self.accel);
-        let c = if c >= -STEP { c.max(0.0) } else { c };
+        let (track, edge) = (mesh.track(s), mesh.segment(s));
+        let (c, b, q) = track.height(self.p0, self.v0, self.accel);
+        // Who starts on it is before it, whatever rounding says; but not who starts behind its line where it has ended.
+        let [from, to] = [edge.a, edge.b].map(|end| track.parameter_of(end));
+        let reach = from.min(to) - STEP..=from.max(to) + STEP;
+        let on_it = c >= -STEP && reach.contains(&track.parameter(self.p0));
+        let c = if on_it { c.max(0.0) } else { c };
         exit(c, b, q, self.since)
             .filter(|&there| self.way(dt, there) <= DISPLACED)
             .unwrap_or(dt)

@@ -413,11 +413,14 @@ impl Body {
             return self.crush(terrain, trace);
         }
         let accel = wish.min(high).max(low);
+        let drifts = self.climbing && self.frame_accel() != DVec2::ZERO;
         if let Mode::Surface(on) = &mut self.mode
             && accel != wish
         {
             on.accel = accel;
-            let marks = [on.limit.map_or(0.0, |(_, until)| until), 0.0];
+            // A wish that drifts, as on a ladder beside what speeds up, is no mark to come to.
+            let fixed = on.limit.filter(|_| !drifts);
+            let marks = [fixed.map_or(0.0, |(_, until)| until), 0.0];
             let rounding = bounds.iter().map(|b| b.rounding).fold(0.0, f64::max);
             if on.u0 * accel < 0.0 && on.u0.abs() <= rounding {
                 on.u0 = 0.0; // no turn to wait for

@@ -5,7 +5,7 @@
 //! that has lost its ground is in the air with its velocity unchanged; one whose ground goes on under another feature stays;
 //! one that a solid was put over is moved to the nearest free place and told so.
 
-use super::body::{Body, EventKind, Mode, Surface, Trace};
+use super::body::{Body, Event, EventKind, Mode, Surface, Trace};
 use super::grip::Grip;
 use super::size::free_face;
 use super::terrain::{Ground, Terrain};
@@ -245,7 +245,6 @@ impl Body {
             .left(edge)
             .expect("a rim has a free face on its left");
         let segment = segment_at(ground, edge, |_| false);
-        let depth = (at - p).length();
         // At a vertex it goes on where its velocity leads, or meets the corner at once.
         let mut spokes = [edge, ground.lnext(edge)].into_iter();
         let spoke = spokes.find(|&e| ground.point(ground.origin(e)).metres() == at);
@@ -257,13 +256,16 @@ impl Body {
         };
         self.rising = false;
         self.fly(at, v, face, [segment, None]);
-        if depth > 2.0 * STEP {
-            self.log(EventKind::Embedded(depth), trace);
-        }
+        let first = trace.events.len();
         if !self.is_free_beside(terrain) {
             self.crush(terrain, trace);
         } else if shut {
             self.hit(edge, 0.0, terrain, trace);
+        }
+        let (time, depth) = (self.time, (self.position() - p).length());
+        if depth > 2.0 * STEP {
+            let kind = EventKind::Embedded(depth);
+            trace.events.insert(first, Event { time, kind });
         }
         self.refresh(terrain, trace);
     }
