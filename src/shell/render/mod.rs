@@ -298,7 +298,7 @@ impl Renderer {
     fn place(&mut self, frame: &Frame, block: &FrameBlock) {
         let (crowd, words) = (&mut self.crowd, &mut self.words);
         crowd.begin(words);
-        if self.quality.instanced && crowd.has_still() {
+        if crowd.has_still() {
             crowd.show_still(block, self.shadow_map.is_some(), words);
         }
         let first = self.kit.count();

@@ -174,9 +174,9 @@ impl Renderer {
         }
     }
 
-    /// The vertices of a chunk that are not drawn as instances.
+    /// The vertices of a chunk that are not drawn as instances: all of them if there was no room for the light of those.
     fn part(&self, chunk: &Chunk) -> Range<usize> {
-        match self.quality.instanced && self.crowd.has_still() {
+        match self.crowd.has_still() {
             true => chunk.bare.clone(),
             false => chunk.vertices.clone(),
         }

@@ -32,8 +32,6 @@ pub struct Quality {
     pub motes: f32,
     /// How dark it is right below the hero, beside the shadow map.
     pub blob: f32,
-    /// Whether set pieces are drawn as instances. See [`Preset::Low`] in [`Quality::of`].
-    pub instanced: bool,
 }
 
 impl Quality {
@@ -49,8 +47,6 @@ impl Quality {
                 per_pixel: false,
                 motes: 0.35,
                 blob: 0.62,
-                // Without a GPU, corners are what costs: merged pieces have lost their backs when the level was read.
-                instanced: false,
             },
             Preset::Medium => Quality {
                 scale: 1.0,
@@ -61,7 +57,6 @@ impl Quality {
                 per_pixel: false,
                 motes: 0.6,
                 blob: 0.3,
-                instanced: true,
             },
             Preset::High => Quality {
                 scale: 1.0,
@@ -72,7 +67,6 @@ impl Quality {
                 per_pixel: true,
                 motes: 1.0,
                 blob: 0.3,
-                instanced: true,
             },
         }
     }
