@@ -11,7 +11,7 @@ use super::contact::Contact;
 use super::mover::{Piece, Ride};
 use super::size::{clear_in_flight, free_face, free_face_at};
 use super::terrain::{Ground, Terrain};
-use super::vertex::{Bearing, JOINT_STEPS};
+use super::vertex::{Bearing, JOINT_STEPS, Sector, sector};
 use crate::geom::STEP;
 use crate::mesh::{EdgeId, FaceId, Mesh, SegmentId};
 use glam::DVec2;
@@ -99,8 +99,29 @@ impl Beside {
         let apart = |s| mesh.track(s).height(to, to, to).0.abs() > STEP;
         air.through = air.through.filter(|&s| !apart(s));
         air.touching = air.touching.map(|s| s.filter(|&s| !apart(s)));
+        if self.contact.is_none() {
+            self.turn_at_vertex(to, now, mesh);
+        }
         self.of = Some(body);
         self.plan(now, size, terrain);
+    }
+
+    /// Exactly at a vertex a new motion may lead out of the face there: into the next one, or along an edge that is touched.
+    fn turn_at_vertex(&mut self, at: DVec2, now: f64, mesh: Ground) {
+        let air = &mut self.flight;
+        let mut sides = mesh.sides(air.face).into_iter();
+        let Some(spoke) = sides.find(|&e| mesh.point(mesh.origin(e)).metres() == at) else {
+            return;
+        };
+        let touches = |&e: &EdgeId| mesh.facing(e).any(|s| air.touching.contains(&Some(s)));
+        let ahead = match sector(mesh, spoke, Bearing::of(air.velocity(now), air.accel)) {
+            Sector::Free(face) => Some(face),
+            Sector::Solid(out, into) => {
+                let along = [out, into].into_iter().find(touches);
+                along.and_then(|e| mesh.left(e))
+            }
+        };
+        air.face = ahead.unwrap_or(air.face);
     }
 
     /// From now on an edge presses.

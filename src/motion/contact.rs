@@ -462,7 +462,9 @@ impl Body {
             if height > width || passed > width {
                 let there = contact.at(q, contact.segment, mesh, None);
                 self.release(entry);
-                self.beside[entry].contact = there.filter(|_| height.abs() <= width);
+                if let Some(there) = there.filter(|_| height.abs() <= width) {
+                    self.beside[entry].press(there, mesh);
+                }
             }
         }
     }

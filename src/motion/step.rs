@@ -7,7 +7,9 @@ use super::footing::Footing;
 use super::grip::Grip;
 use super::ladder::Reach;
 use super::law;
+use super::size::free_face_at;
 use super::terrain::Terrain;
+use super::vertex::Bearing;
 use crate::mesh::{FaceId, SegmentId};
 use glam::DVec2;
 
@@ -23,8 +25,10 @@ impl Body {
     /// # Errors
     /// If the position is no position of the world, or the standing body would overlap a solid there.
     pub fn spawn(at: DVec2, time: f64, terrain: &Terrain) -> Result<Body, SpawnError> {
-        let bearing = DVec2::new(0.0, -1.0);
-        let face = super::size::free_face(terrain.ground(Size::Stand), at, bearing, bearing)?;
+        // On ground it may stand, whatever rounding has made of that; but not in it.
+        let rounding = 8.0 * f64::EPSILON * at.abs().max_element().max(1.0);
+        let down = Bearing::of(DVec2::NEG_Y, DVec2::NEG_Y);
+        let face = free_face_at(terrain.ground(Size::Stand), at, down, rounding)?;
         let mut body = Body {
             mode: Mode::Wedge(Wedge { at, face }),
             frame: None,
