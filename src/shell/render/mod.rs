@@ -28,6 +28,7 @@ mod mood;
 mod passes;
 pub(in crate::shell) mod program;
 mod quality;
+mod rims;
 mod scene;
 mod scenery;
 mod shards;

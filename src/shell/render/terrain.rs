@@ -8,6 +8,7 @@ use super::courses::courses;
 use super::facets::{Facets, Look, next};
 use super::growth;
 use super::model::{Model, Paint, hash, paint};
+use super::rims::Rims;
 use crate::game::Stage;
 use crate::geom::Point;
 use crate::level::{Feature, Material};
@@ -36,8 +37,10 @@ const SMALL: &[(f32, f32)] = &[(EDGE, 0.0), (-0.6, 0.0)];
 /// In levels of more square metres than this, blocks and planks are larger.
 const COURSED: f32 = 60_000.0;
 
-/// A facet at the rim that is so many times broader than that belongs to the front.
+/// A facet at the rim that is so many times broader than that belongs to the front, and so does one that reaches so many times
+/// further inward: across a thin beam.
 const WIDE: f32 = 1.7;
+const ACROSS: f64 = 2.2;
 
 /// Ground of less friction than this looks slippery.
 const SLIPPERY: f64 = 0.25;
@@ -89,7 +92,7 @@ fn palette(look: Look) -> Palette {
 }
 
 /// How wide the rim of a look is, in metres: built things have sharper edges.
-fn rim(look: Look) -> f64 {
+pub(super) fn rim(look: Look) -> f64 {
     match look.material {
         Material::Rock => f64::from(RIM),
         Material::Masonry => 0.15,
@@ -141,7 +144,7 @@ pub fn build(solids: &[([Point; 3], Look)]) -> Model {
     rims.bend(&mut facets);
     facets.refine(f64::INFINITY, border.max(inner), jitter);
     let mut model = Model::default();
-    add_front(&facets, &mut model);
+    add_front(&facets, &rims, &mut model);
     add_walls(&facets, &rims, &mut model);
     growth::add_grass(&facets, &mut model);
     model
@@ -169,81 +172,9 @@ fn area(facets: &Facets) -> f64 {
     (0..facets.look.len()).map(area).sum()
 }
 
-/// What is known of the vertices at which free space begins, by vertex.
-struct Rims {
-    /// Unit vector into the open: the mean of the borders' normals; zero within the solid.
-    outward: Vec<DVec2>,
-    /// How much sky a vertex sees: 1 on flat ground, less in corners.
-    open: Vec<f32>,
-}
-
-impl Rims {
-    fn of(facets: &Facets) -> Rims {
-        let mut rims = Rims {
-            outward: vec![DVec2::ZERO; facets.points.len()],
-            open: vec![1.0; facets.points.len()],
-        };
-        let mut arriving = vec![DVec2::ZERO; facets.points.len()];
-        let borders = || (0..facets.origin.len()).filter(|&e| facets.is_border(e));
-        let along = |e: usize| (facets.ends(e).1 - facets.ends(e).0).normalize_or_zero();
-        for e in borders() {
-            for v in [facets.origin[e], facets.origin[next(e)]] {
-                rims.outward[v] -= along(e).perp();
-            }
-            arriving[facets.origin[next(e)]] = along(e);
-        }
-        for e in borders() {
-            let v = facets.origin[e];
-            rims.outward[v] = rims.outward[v].normalize_or_zero();
-            // A turn to the right is a corner of the room: the solid is on the left.
-            let turn = -arriving[v].perp_dot(along(e)) as f32;
-            rims.open[v] = 1.0 - 0.6 * turn.clamp(0.0, 1.0);
-        }
-        rims
-    }
-
-    /// Into the open at a vertex; zero within the solid, also for vertices that were added later.
-    fn outward(&self, v: usize) -> DVec2 {
-        self.outward.get(v).copied().unwrap_or_default()
-    }
-
-    /// How much sky a vertex sees.
-    fn open(&self, v: usize) -> f32 {
-        self.open.get(v).copied().unwrap_or(1.0)
-    }
-
-    /// Adds the vertices at which the front bends down to the rim: one inside of each border vertex.
-    fn bend(&self, facets: &mut Facets) {
-        let starts: Vec<usize> = (0..facets.origin.len())
-            .filter(|&e| facets.is_border(e))
-            .collect();
-        let spots: Vec<(usize, f64, f64)> = starts
-            .iter()
-            .map(|&e| {
-                (
-                    facets.origin[e],
-                    self.mitre(facets, e),
-                    rim(facets.look[e / 3]),
-                )
-            })
-            .collect();
-        for (v, mitre, width) in spots {
-            let inward = self.outward[v] * -width * mitre;
-            facets.insert(v, facets.points[v] + inward, width * 0.6);
-        }
-    }
-
-    /// How much further than the rim's width its inner line lies from the corner at which border `e` starts.
-    fn mitre(&self, facets: &Facets, e: usize) -> f64 {
-        let (a, b) = facets.ends(e);
-        let normal = -(b - a).normalize_or_zero().perp();
-        1.0 / normal.dot(self.outward[facets.origin[e]]).max(0.5)
-    }
-}
-
 /// The fronts: bent down at the rim; rock uneven within and in beds, what was built flat and in courses; darker and
 /// cooler with the distance from the open.
-fn add_front(facets: &Facets, model: &mut Model) {
+fn add_front(facets: &Facets, rims: &Rims, model: &mut Model) {
     let depths = facets.depths();
     let scale = (area(facets) as f32 / COURSED).sqrt().max(1.0);
     let at = |v: usize| facets.points[v].as_vec2();
@@ -266,7 +197,12 @@ fn add_front(facets: &Facets, model: &mut Model) {
         };
         let corners = [0, 1, 2].map(place);
         let is_wide = breadth(vertices.map(at)) > WIDE * rim(look) as f32;
-        if let (Some(courses), true) = (courses(look.material, scale), !is_rim || is_wide) {
+        let is_across = vertices.into_iter().any(|v| {
+            let depth = |o: usize| rims.inward(v, facets.points[v], facets.points[o]);
+            vertices.into_iter().map(depth).fold(0.0, f64::max) > ACROSS * rim(look)
+        });
+        let is_front = !is_rim || is_wide || is_across;
+        if let (Some(courses), true) = (courses(look.material, scale), is_front) {
             let shade = 1.0 - 0.45 * smooth(0.0, 7.0, mean);
             courses.add(corners, shade, look.upright, face, model);
             continue;
