@@ -56,7 +56,9 @@ fn in_face(body: &Body, mesh: Ground) -> Result<(), String> {
         return Ok(());
     };
     let p = body.position();
-    let slack = body.rounding();
+    // Time is rounded, and in the frame of a moving solid, where its place may have been decided, the body moves faster.
+    let seen = body.beside.iter().map(|b| body.seen_from(b).1.length());
+    let slack = body.rounding_at(seen.fold(body.velocity().length(), f64::max));
     let touches = |s: SegmentId| air.touching.contains(&Some(s)) || air.through == Some(s);
     let cut = |&s: &SegmentId| mesh.chain(s).len() > 2;
     let touches_cut = air.touching.iter().chain([&air.through]).flatten().any(cut);
