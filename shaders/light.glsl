@@ -16,8 +16,8 @@ vec3 haze(vec3 direction) {
 float fog(vec3 at) {
     float way = max(distance(at, eye.xyz) - 16.0, 0.0);
     float low = exp(-max(at.y - scene.y, 0.0) * 0.09);
-    float behind = smoothstep(-1.2, -7.0, at.z);
-    return 1.0 - exp(-way * (haze_cool.w + haze_warm.w * low)) * (1.0 - 0.34 * behind);
+    float behind = smoothstep(-0.9, -4.5, at.z);
+    return 1.0 - exp(-way * (haze_cool.w + haze_warm.w * low)) * (1.0 - 0.42 * behind);
 }
 
 // Light from everywhere, for a surface that is so open to it.
