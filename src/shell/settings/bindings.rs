@@ -202,18 +202,19 @@ impl From<Bindings> for Names {
 impl TryFrom<Names> for Bindings {
     type Error = String;
 
-    /// What is not named has nothing.
+    /// What is not named keeps its keys; of the buttons it has none, for the file names all that there are.
     fn try_from(names: Names) -> Result<Bindings, String> {
         let deed = |name: &str| {
             let found = Deed::ALL.into_iter().find(|deed| deed.name() == name);
             found.ok_or(format!("`{name}` is nothing that can be done"))
         };
         let mut bindings = Bindings {
-            keys: Default::default(),
             buttons: Default::default(),
+            ..Bindings::default()
         };
         for (name, keys) in &names.keys {
             let deed = deed(name)?;
+            bindings.keys[deed as usize] = [None; KEYS];
             for (slot, key) in keys.iter().take(KEYS).enumerate() {
                 let code = Scancode::from_name(key).ok_or(format!("`{key}` is no key"))?;
                 if !bindings.set_key(deed, slot, Some(code)) {
@@ -249,6 +250,19 @@ mod tests {
         assert_eq!(bindings.conflict(Deed::Left, a), Some(Deed::Jump));
         assert_eq!(bindings.conflict(Deed::Jump, button), Some(Deed::Crouch));
         assert_eq!(bindings.conflict(Deed::Crouch, button), None);
+    }
+
+    #[test]
+    fn a_file_that_names_some_keys_leaves_the_others() {
+        let names = Names {
+            keys: [("jump".to_owned(), vec!["J".to_owned()])].into(),
+            buttons: BTreeMap::new(),
+        };
+        let bindings = Bindings::try_from(names).unwrap();
+        assert_eq!(bindings.keys(Deed::Jump), [Some(Scancode::J), None]);
+        let before = Bindings::default().keys(Deed::Left);
+        assert_eq!(bindings.keys(Deed::Left), before);
+        assert_eq!(bindings.button(Deed::Jump), None);
     }
 
     #[test]
