@@ -212,11 +212,13 @@ impl Air {
             Sector::Free(face) if face == self.face => return None,
             Sector::Free(face) => Next::Cross(mesh.sym(mesh.sides(face)[0]), at),
             Sector::Solid(out, into) => {
-                let strikes = |e: &EdgeId| {
-                    let s = segment_at(mesh, *e, |_| false);
-                    s.is_some_and(|s| mesh.track(s).normal.dot(bearing.d) < 0.0)
+                // The one that it goes into more: a mirrored corner has them the other way round.
+                let away = |e: EdgeId| {
+                    let s = segment_at(mesh, e, |_| false);
+                    s.map_or(0.0, |s| mesh.track(s).normal.dot(bearing.d))
                 };
-                Next::Hit([out, into].into_iter().find(strikes).unwrap_or(out), at)
+                let struck = if away(into) < away(out) { into } else { out };
+                Next::Hit(struck, at)
             }
         };
         Some((self.t0 + at, next))

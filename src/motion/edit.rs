@@ -251,7 +251,7 @@ impl Body {
         let ahead = spoke.map(|e| sector(ground, e, Bearing::of(v, DVec2::NEG_Y)));
         let (face, shut) = match ahead {
             Some(Sector::Free(face)) => (face, false),
-            Some(Sector::Solid(..)) => (rim, true),
+            Some(Sector::Solid(..)) => (rim, v != DVec2::ZERO),
             None => (rim, false),
         };
         self.rising = false;
@@ -340,13 +340,16 @@ fn nearest_on(ground: Ground, e: EdgeId, p: DVec2) -> DVec2 {
 }
 
 /// How near an edge is to a position: smaller comes first. Of equally near edges that with the higher point, then that to which
-/// a velocity leads, then the more level one: two that meet at the nearest point are told apart alike in a mirrored world.
+/// a velocity leads, then the more level one, then the one that goes up: two that meet at the nearest point are told apart alike
+/// in a mirrored world.
 #[derive(PartialEq)]
 struct Nearness {
     distance: f64,
     height: f64,
     leads: f64,
     level: f64,
+    /// The heights of its ends together, in steps.
+    top: i64,
     /// Tells apart what is equally near, the same way after any sequence of edits.
     ends: [Point; 2],
 }
@@ -361,6 +364,7 @@ impl Nearness {
             height: at.y,
             leads: (at - p).dot(v),
             level: along.x.abs() / along.length(),
+            top: ends.iter().map(|p| i64::from(p.y)).sum(),
             ends,
         }
     }
@@ -375,6 +379,7 @@ impl Ord for Nearness {
             .then(by(other.height, self.height))
             .then(by(other.leads, self.leads))
             .then(by(other.level, self.level))
+            .then(other.top.cmp(&self.top))
             .then(self.ends.cmp(&other.ends))
     }
 }
