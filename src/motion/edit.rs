@@ -251,7 +251,7 @@ impl Body {
         let ahead = spoke.map(|e| sector(ground, e, Bearing::of(v, DVec2::NEG_Y)));
         let (face, shut) = match ahead {
             Some(Sector::Free(face)) => (face, false),
-            Some(Sector::Solid(..)) => (rim, v != DVec2::ZERO),
+            Some(Sector::Solid(..)) => (rim, true),
             None => (rim, false),
         };
         self.rising = false;
@@ -260,6 +260,10 @@ impl Body {
         if !self.is_free_beside(terrain) {
             self.crush(terrain, trace);
         } else if shut {
+            let falls = self.flight_accel(terrain.tuning);
+            if let Mode::Air(air) = &mut self.mode {
+                air.accel = falls;
+            }
             self.hit(edge, 0.0, terrain, trace);
         }
         let (time, depth) = (self.time, (self.position() - p).length());
