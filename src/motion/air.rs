@@ -253,9 +253,7 @@ impl Air {
         let (track, edge) = (mesh.track(s), mesh.segment(s));
         let (c, b, q) = track.height(self.p0, self.v0, self.accel);
         // Who starts on it is before it, whatever rounding says; but not who starts behind its line where it has ended.
-        let [from, to] = [edge.a, edge.b].map(|end| track.parameter_of(end));
-        let reach = from.min(to) - STEP..=from.max(to) + STEP;
-        let on_it = c >= -STEP && reach.contains(&track.parameter(self.p0));
+        let on_it = c >= -STEP && track.past(self.p0, [edge.a, edge.b]) <= STEP;
         let c = if on_it { c.max(0.0) } else { c };
         exit(c, b, q, self.since)
             .filter(|&there| self.way(dt, there) <= DISPLACED)
@@ -346,8 +344,7 @@ impl Body {
             let left = mesh.segment(s);
             let track = Track::of(left);
             let (height, away, _) = track.height(at, new.tangent * along, DVec2::ZERO);
-            let [a, b] = [left.a, left.b].map(|end| track.parameter_of(end));
-            let beside = (a.min(b) - track.parameter(at)).max(track.parameter(at) - a.max(b));
+            let beside = track.past(at, [left.a, left.b]);
             let near = height.abs().max(beside) <= f64::from(JOINT_STEPS) * STEP;
             near && away < 0.0 && !track.same_line(new)
         })

@@ -189,9 +189,7 @@ impl Body {
         let mesh = terrain.ground_under(m.mover, self.size);
         let (track, q) = (mesh.track(m.segment), self.position() - piece.offset(now));
         let edge = mesh.segment(m.segment);
-        let [a, b] = [edge.a, edge.b].map(|end| track.parameter_of(end));
-        let s = track.parameter(q);
-        let beyond = (a.min(b) - s).max(s - a.max(b));
+        let beyond = track.past(q, [edge.a, edge.b]);
         let away = beyond.max(track.height(q, q, q).0.abs());
         let near = m.size == self.size && away <= f64::from(JOINT_STEPS) * STEP;
         near.then(|| Demand {

@@ -59,10 +59,8 @@ impl Contact {
 
     /// How far a position is past the ends of the mesh edge, m; not positive between them.
     fn passed(&self, at: DVec2, mesh: Ground) -> f64 {
-        let s = self.track.parameter(at);
         let ends = [mesh.origin(self.edge), mesh.dest(self.edge)];
-        let [a, b] = ends.map(|v| self.track.parameter_of(mesh.point(v)));
-        (a.min(b) - s).max(s - a.max(b))
+        self.track.past(at, ends.map(|v| mesh.point(v)))
     }
 
     /// The same contact on the piece of a feature edge at a position, if that is free; `was` are the ends of its piece so far.

@@ -108,6 +108,13 @@ impl Track {
         }
     }
 
+    /// How far a position is past the ends of a stretch of the road, in the parameter, m; not positive between them.
+    pub fn past(&self, at: DVec2, ends: [Point; 2]) -> f64 {
+        let s = self.parameter(at);
+        let [a, b] = ends.map(|end| self.parameter_of(end));
+        (a.min(b) - s).max(s - a.max(b))
+    }
+
     /// The parameter at a vertex where another road meets this one, the road of `segment`: that of their crossing, or of the
     /// vertex itself where the segment ends there.
     pub fn parameter_at_joint(&self, segment: &Segment, other: &Track, vertex: Point) -> f64 {
