@@ -200,17 +200,6 @@ def pedestal():
     return p
 
 
-def bracket():
-    """What carries the end of a scaffold's boards: a post's head with braces to both sides; it hangs below its origin."""
-    p = Piece("bracket", ground=False, dirt=0.0)
-    p.beam((0, -0.06, 0), (0, -1.35, 0), 0.055, OLD_WOOD, 0.01, end=0.7)
-    for side in (-1, 1):
-        p.beam((0, -0.85, 0), (side * 0.6, -0.12, 0), 0.038, OLD_WOOD)
-    p.beam((-0.7, -0.10, 0), (0.7, -0.10, 0), 0.05, WOOD)
-    p.block((0, -0.24, 0), (0.17, 0.16, 0.17), Paint(0xA58A5E, 0.12), bevel=0)
-    return p
-
-
 PIECES = [
-    spikes, teeth, ladder_metre, chain_metre, vine_metre, lodestone, lodestone_shard, gate, gate_light, pedestal, bracket,
+    spikes, teeth, ladder_metre, chain_metre, vine_metre, lodestone, lodestone_shard, gate, gate_light, pedestal,
 ]  # fmt: skip

@@ -21,8 +21,6 @@ const BEHIND: f32 = -0.5;
 /// Where lodestones and gates stand, behind the hero.
 const STONES: f32 = -0.85;
 const GATE: f32 = -1.1;
-/// Longest way of a scaffold's boards without a bracket, in metres.
-const SPAN: f32 = 3.2;
 /// Width of the vines that hang over the front of a wall that can be climbed, and their depth, just before the rim.
 const DRAPE: f32 = 0.62;
 const DRAPED: f32 = 0.66;
@@ -50,7 +48,7 @@ pub fn build(kit: &Kit, features: &[&Feature], shards: &mut Shards) -> Built {
     for feature in features {
         match feature.kind {
             Kind::Solid => solid(kit, feature, &mut built.model),
-            Kind::OneWay => planks(kit, feature, &mut built.model),
+            Kind::OneWay => planks(feature, &mut built.model),
             Kind::Ladder => ladder(kit, feature, &mut built.model),
             Kind::Hazard => {
                 let Built { model, lamps } = &mut built;
@@ -224,8 +222,8 @@ fn vines(kit: &Kit, a: Vec2, b: Vec2, outward: Vec2, model: &mut Model) {
     }
 }
 
-/// Boards on two runners, on brackets where they are of timber; of iron, a grate that hangs on chains.
-fn planks(kit: &Kit, feature: &Feature, model: &mut Model) {
+/// Boards on two runners, of timber or of iron.
+fn planks(feature: &Feature, model: &mut Model) {
     let iron = feature.material == Material::Iron;
     let (board, runner) = if iron { (GRATE, IRON) } else { (PLANK, RAIL) };
     let corners: Vec<Vec2> = outline(feature).collect();
@@ -247,13 +245,6 @@ fn planks(kit: &Kit, feature: &Feature, model: &mut Model) {
         for z in [EDGE - 0.22, BACK + 0.2] {
             let at = |p: Vec2| p.extend(z) + down * 1.8;
             model.beam(at(a), at(b), 0.055, runner);
-        }
-        let spans = (a.distance(b) / SPAN).ceil().max(1.0);
-        for i in 0..=spans as u32 {
-            // The outermost stand a little within the ends.
-            let share = (i as f32 / spans).clamp(0.12, 0.88);
-            let head = on(a, b, share, BACK + 0.25) - Vec3::Y * 0.10;
-            model.add(kit.part(Part::Bracket), Mat4::from_translation(head));
         }
     }
 }
@@ -290,11 +281,6 @@ fn ladder(kit: &Kit, feature: &Feature, model: &mut Model) {
             let place = Mat4::from_translation(foot) * Mat4::from_scale(size);
             model.add(kit.part(part), place);
         }
-    }
-    if part == Part::ChainMetre {
-        // What it hangs from.
-        let top = vec3((min.x + max.x) / 2.0, max.y, BEHIND);
-        model.beam(top - Vec3::X * 0.45, top + Vec3::X * 0.45, 0.07, IRON);
     }
 }
 

@@ -1,49 +1,82 @@
-//! What movers run on: rails behind them along their paths, a wheel where a rail ends, chains that lifts hang from.
+//! What movers run on: a frame with a rope over wheels for a lift, a column for what stamps, a post for a door, a rail for
+//! a ferry. What carries them is asked of the level: they stand on the ground, hang from a ceiling, are held by a wall, or
+//! stand in the water.
 
+use super::bearers::{Bearers, Frame, ROOT};
 use super::fixtures::outline;
-use super::kit::Kit;
 use super::model::{Model, Paint, paint};
-use crate::level::{Feature, Material, Mover, Repeat, SceneryKind};
-use glam::{Mat4, Vec2, Vec3};
+use crate::level::{Feature, Level, Material, Mover, Repeat};
+use glam::Vec2;
 
-/// Depth of rails and chains, behind the hero.
+/// Depth of posts and rails behind the hero, of what runs before them and of what braces them.
 const DEPTH: f32 = -0.95;
-/// Half the thickness of a rail, and how far rails stand within the sides of what rides on them, in metres.
-const RAIL: f32 = 0.07;
+const BEFORE: f32 = DEPTH + 0.24;
+/// Half the thickness of a post or rail, of a brace, and of a rope, in metres.
+const POST: f32 = 0.12;
+const BRACE: f32 = 0.065;
+const ROPE: f32 = 0.05;
+/// How far posts stand within the sides of what rides on them.
 const WITHIN: f32 = 0.22;
-/// How far a rail goes on beyond the last stop.
-const BEYOND: f32 = 0.45;
-/// Radius of the wheels at its ends.
-const WHEEL: f32 = 0.24;
-/// Rise of one of the braces that run to and fro between two rails, by their distance: no rung, nobody climbs here.
+/// How far a way goes on beyond the first and the last stop.
+const BEYOND: f32 = 0.5;
+const HEADROOM: f32 = 0.85;
+/// Radius of the wheels that ropes run over.
+const WHEEL: f32 = 0.34;
+/// Rise of one of the braces that run to and fro between two posts, by their distance: no rung, nobody climbs here.
 const BRACES: f32 = 1.0;
-/// How long a piece of chain hangs down, in metres, and how large it is here.
-const CHAIN: f32 = 3.9;
-const FINE: f32 = 0.8;
+/// What leaves less room than this between its posts, in metres, has one post: a door.
+const DOOR: f32 = 0.5;
 /// A way is upright if it leads this much more upwards than sideways.
 const UPRIGHT: f32 = 3.0;
+/// How far below and above stone is looked for to stand on and to hang from, beside a frame, and beyond the end of a rail.
+const BELOW: f32 = 9.0;
+const ABOVE: f32 = 6.0;
+const BESIDE: f32 = 4.0;
+const ALONG: f32 = 10.0;
+/// How much of its length the strut under an arm rises.
+const STRUT: f32 = 0.8;
 
 const IRON: Paint = paint(0x4b4d55).varied(0.10);
 const RUST: Paint = paint(0x6e5348).varied(0.14);
 const WOOD: Paint = paint(0x6d4d36).varied(0.12);
+const HEMP: Paint = paint(0x8f7a56).varied(0.08);
 
-/// Builds the guides of all movers; they stand still.
-pub fn build(kit: &Kit, movers: &[Mover]) -> Model {
+/// Builds the guides of all movers of a level over water of a height; they stand still.
+pub fn build(level: &Level, water: f32) -> Model {
+    let bearers = Bearers::stone(level, water);
     let mut model = Model::default();
-    for mover in movers {
-        let corners = || mover.features.iter().flat_map(outline);
-        let min = corners().fold(Vec2::INFINITY, Vec2::min);
-        let max = corners().fold(Vec2::NEG_INFINITY, Vec2::max);
-        let iron = mover
-            .features
-            .iter()
-            .any(|f| f.material != Material::Timber);
-        let look = if iron { [IRON, RUST] } else { [WOOD, IRON] };
-        for (a, b) in ways(mover) {
-            way(kit, (min, max), (a, b), look, &mut model);
-        }
+    for mover in &level.movers {
+        frame(mover, &bearers).build(&mut model);
     }
     model
+}
+
+/// What one mover runs on.
+fn frame(mover: &Mover, bearers: &Bearers) -> Frame {
+    let corners = || mover.features.iter().flat_map(outline);
+    let min = corners().fold(Vec2::INFINITY, Vec2::min);
+    let max = corners().fold(Vec2::NEG_INFINITY, Vec2::max);
+    let timber = (mover.features.iter()).all(|f| f.material == Material::Timber);
+    let mut frame = Frame::default();
+    for (a, b) in ways(mover) {
+        let (a, b) = if a.y <= b.y { (a, b) } else { (b, a) };
+        if (b - a).y < UPRIGHT * (b - a).x.abs() {
+            let middle = (min + max) / 2.0;
+            rail(middle + a, middle + b, bearers, &mut frame);
+            continue;
+        }
+        let way = Upright {
+            foot: Vec2::new((min.x + max.x) / 2.0 + a.x, min.y + a.y - BEYOND),
+            head: Vec2::new((min.x + max.x) / 2.0 + b.x, max.y + b.y + HEADROOM),
+            half: (max.x - min.x) / 2.0 - WITHIN,
+            timber,
+        };
+        match way.half < DOOR {
+            true => way.post(bearers, &mut frame),
+            false => way.hoist(bearers, &mut frame),
+        }
+    }
+    frame
 }
 
 /// The ways from stop to stop, as offsets; those of a loop back to the first one as well.
@@ -67,66 +100,125 @@ fn ways(mover: &Mover) -> Vec<(Vec2, Vec2)> {
     once
 }
 
-/// One way: upright, two braced rails and a chain; else one rail through the middle.
-fn way(
-    kit: &Kit,
-    (min, max): (Vec2, Vec2),
-    (a, b): (Vec2, Vec2),
-    [rail, other]: [Paint; 2],
-    model: &mut Model,
-) {
-    let (a, b) = if a.y <= b.y { (a, b) } else { (b, a) };
-    let (middle, along) = ((min + max) / 2.0, (b - a).normalize_or_zero());
-    if (b - a).y < UPRIGHT * (b - a).x.abs() {
-        let [from, to] = [middle + a - along * BEYOND, middle + b + along * BEYOND];
-        model.beam(from.extend(DEPTH), to.extend(DEPTH), RAIL, rail);
-        for end in [from, to] {
-            wheel(end, other, model);
+/// A way up.
+struct Upright {
+    foot: Vec2,
+    head: Vec2,
+    /// Half the distance of its posts, in metres.
+    half: f32,
+    /// Whether wood runs on it: a lift, else something that stamps.
+    timber: bool,
+}
+
+impl Upright {
+    /// The one post of a door.
+    fn post(&self, bearers: &Bearers, frame: &mut Frame) {
+        let foot = bearers.root(self.foot, Vec2::NEG_Y, BELOW);
+        let head = bearers.root(self.head, Vec2::Y, ABOVE);
+        let (from, to) = match (foot, head) {
+            (None, None) => (bearers.drowned(self.foot), self.head),
+            (foot, head) => (foot.unwrap_or(self.foot), head.unwrap_or(self.head)),
+        };
+        frame.beam(from, to, POST, DEPTH, IRON);
+    }
+
+    /// Two posts with a head; between them braces and a rope over wheels, or the column of what stamps.
+    fn hoist(&self, bearers: &Bearers, frame: &mut Frame) {
+        let (rail, other) = if self.timber {
+            (WOOD, IRON)
+        } else {
+            (IRON, RUST)
+        };
+        let sides = [-self.half, self.half];
+        let posts = sides.map(|side| [self.foot, self.head].map(|p| p + Vec2::X * side));
+        let stand = posts.map(|[foot, _]| bearers.root(foot, Vec2::NEG_Y, BELOW));
+        let hang = posts.map(|[_, head]| bearers.root(head, Vec2::Y, ABOVE));
+        let hangs = hang.iter().all(Option::is_some);
+        let held = match stand {
+            [Some(_), Some(_)] => true,
+            _ => hangs || self.arms(posts, bearers, rail, frame),
+        };
+        let ends = [0, 1].map(|i| {
+            let [foot, head] = posts[i];
+            let down = match (stand[i], held) {
+                (Some(root), _) => root,
+                (None, true) => foot,
+                (None, false) => bearers.drowned(foot),
+            };
+            (down, hang[i].filter(|_| hangs).unwrap_or(head))
+        });
+        for (from, to) in ends {
+            frame.beam(from, to, POST, DEPTH, rail);
         }
-        return;
+        let over = Vec2::X * (self.half + WITHIN);
+        frame.beam(self.head - over, self.head + over, POST, DEPTH, rail);
+        if !self.timber {
+            let ceiling = bearers.root(self.head, Vec2::Y, ABOVE);
+            let floor = bearers.root(self.foot, Vec2::NEG_Y, BELOW);
+            let (from, to) = (floor.unwrap_or(self.foot), ceiling.unwrap_or(self.head));
+            frame.beam(from, to, POST * 1.3, BEFORE, other);
+            return;
+        }
+        frame.brace(ends, 2.0 * self.half * BRACES, BRACE, other);
+        frame.beam(self.foot - over, self.foot + over, POST, DEPTH, rail);
+        for at in [self.foot, self.head] {
+            frame.wheels.push((at, WHEEL, BEFORE, other));
+        }
+        for side in [-1.0, 1.0] {
+            let [foot, head] = [self.foot, self.head].map(|p| p + Vec2::X * side * WHEEL);
+            frame.beam(foot, head, ROPE, BEFORE, HEMP);
+        }
     }
-    let half = ((max.x - min.x) / 2.0 - WITHIN).max(RAIL);
-    let (low, high) = (min.y + a.y - BEYOND, max.y + b.y + BEYOND);
-    let x = |y: f32| middle.x + a.x + (b.x - a.x) * ((y - low) / (high - low)).clamp(0.0, 1.0);
-    for side in [-half, half] {
-        let [foot, top] = [low, high].map(|y| Vec2::new(x(y) + side, y));
-        model.beam(foot.extend(DEPTH), top.extend(DEPTH), RAIL, rail);
-        wheel(top, other, model);
-    }
-    let count = ((high - low) / (2.0 * half * BRACES)).round().max(1.0);
-    for i in 0..count as u32 {
-        let [foot, top] = [0.0, 1.0].map(|end| low + (high - low) * (i as f32 + end) / count);
-        let side = if i % 2 == 0 { half } else { -half };
-        let [from, to] = [(foot, side), (top, -side)].map(|(y, side)| Vec2::new(x(y) + side, y));
-        model.beam(
-            from.extend(DEPTH - RAIL),
-            to.extend(DEPTH - RAIL),
-            RAIL * 0.5,
-            other,
-        );
-    }
-    let lengths = ((high - low) / (CHAIN * FINE)).round().max(1.0);
-    for i in 0..lengths as u32 {
-        let y = high - (high - low) * i as f32 / lengths;
-        let size = Vec3::new(FINE, (high - low) / (lengths * CHAIN), FINE);
-        let top = Vec3::new(x(y), y, DEPTH + 0.05);
-        let place = Mat4::from_translation(top) * Mat4::from_scale(size);
-        model.add(kit.scenery(SceneryKind::Chain), place);
+
+    /// Arms from a wall beside it at foot and head, each on a strut where there is wall enough; whether there are any.
+    fn arms(
+        &self,
+        posts: [[Vec2; 2]; 2],
+        bearers: &Bearers,
+        paint: Paint,
+        frame: &mut Frame,
+    ) -> bool {
+        let ways = [Vec2::NEG_X, Vec2::X].into_iter().zip(posts);
+        let roots = ways.map(|(side, post)| {
+            let roots = post.map(|p| bearers.root(p, side, BESIDE));
+            (side, post, roots)
+        });
+        let most = roots.max_by_key(|(_, _, roots)| roots.iter().flatten().count());
+        let Some((side, post, roots)) = most else {
+            return false;
+        };
+        let mut any = false;
+        for (from, root) in post.into_iter().zip(roots) {
+            let Some(root) = root else { continue };
+            any = true;
+            frame.beam(from - side * 2.0 * self.half, root, POST, DEPTH, paint);
+            frame.plate(root - side * ROOT, side, DEPTH, IRON);
+            let low = from - Vec2::Y * (root - from).length() * STRUT;
+            if let Some(foot) = bearers.root(low, side, BESIDE) {
+                frame.beam(from, foot, POST * 0.8, DEPTH, paint);
+            }
+        }
+        any
     }
 }
 
-/// A wheel about the z axis.
-fn wheel(at: Vec2, paint: Paint, model: &mut Model) {
-    let mut wheel = Model::default();
-    let profile = [
-        (-0.10, WHEEL),
-        (-0.03, WHEEL * 0.8),
-        (0.03, WHEEL * 0.8),
-        (0.10, WHEEL),
-    ];
-    wheel.lathe(Vec3::ZERO, 9, &profile, paint);
-    let turn = Mat4::from_rotation_x(std::f32::consts::FRAC_PI_2);
-    model.add(&wheel, Mat4::from_translation(at.extend(DEPTH)) * turn);
+/// A rail from stop to stop, and on to what holds its ends: a wall, else a post.
+fn rail(a: Vec2, b: Vec2, bearers: &Bearers, frame: &mut Frame) {
+    let along = (b - a).normalize_or_zero();
+    let ends = [(a, -along), (b, along)].map(|(stop, out)| {
+        let end = stop + out * BEYOND;
+        if let Some(root) = bearers.root(end, out, ALONG) {
+            frame.plate(root - out * ROOT, out, DEPTH, IRON);
+            return root;
+        }
+        let ground = bearers.root(end, Vec2::NEG_Y, BELOW);
+        let ceiling = bearers.root(end, Vec2::Y, ABOVE);
+        let root = ground.or(ceiling).unwrap_or(bearers.drowned(end));
+        frame.beam(end, root, POST, DEPTH, WOOD);
+        frame.wheels.push((end, WHEEL, BEFORE, IRON));
+        end
+    });
+    frame.beam(ends[0], ends[1], POST, DEPTH, RUST);
 }
 
 /// Whether a mover goes up and down: what it comes down on is crushed.
@@ -144,8 +236,8 @@ pub fn crushers(mover: &Mover) -> impl Iterator<Item = &Feature> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::kit::tests::kit;
-    use super::super::model::VERTEX_WORDS;
+    use super::super::bearers::tests::{floating, level, quarry};
+    use super::super::scene;
     use super::*;
     use crate::level::Stop;
     use glam::DVec2;
@@ -159,6 +251,7 @@ mod tests {
         Mover {
             id: "lift".into(),
             features: vec![Feature {
+                material: Material::Timber,
                 outline: corners.map(DVec2::from).to_vec(),
                 ..Feature::default()
             }],
@@ -168,19 +261,74 @@ mod tests {
         }
     }
 
+    /// The lowest and the highest corner of a frame's beams.
+    fn extent(frame: &Frame) -> (Vec2, Vec2) {
+        let ends = || frame.beams.iter().flat_map(|beam| [beam.from, beam.to]);
+        let min = ends().fold(Vec2::INFINITY, Vec2::min);
+        (min, ends().fold(Vec2::NEG_INFINITY, Vec2::max))
+    }
+
     #[test]
-    fn rails_reach_from_the_first_stop_to_the_last() {
+    fn guides_reach_from_the_first_stop_to_the_last() {
         for (to, stamping) in [((0.0, 5.0), true), ((6.0, 0.0), false)] {
             let mover = lift(to, Repeat::Loop);
             assert_eq!(ways(&mover).len(), 1, "there and back is one way");
             assert_eq!(stamps(&mover), stamping);
-            let model = build(&kit(), &[mover]);
-            let place = |v: &[u32]| Vec3::from_array([0, 1, 2].map(|i| f32::from_bits(v[i])));
-            let places = || model.words.chunks_exact(VERTEX_WORDS).map(place);
-            let max = places().fold(Vec3::NEG_INFINITY, Vec3::max);
-            let min = places().fold(Vec3::INFINITY, Vec3::min);
+            let frame = frame(&mover, &Bearers::default());
+            let (min, max) = extent(&frame);
             assert!(max.x - min.x > to.0 as f32 && max.y - min.y > to.1 as f32);
-            assert!(max.z < -0.5, "behind the hero: {max}");
+            assert!(
+                frame.beams.iter().all(|beam| beam.depth < -0.5),
+                "behind the hero"
+            );
+        }
+    }
+
+    /// What carries a lift from 0 to 5 m: the ground if it is near, else a ceiling, else a wall, else the water.
+    #[test]
+    fn a_lift_is_carried_by_what_is_there() {
+        let ground = "(id: \"g\", outline: [(-9, -4), (9, -4), (9, -3), (-9, -3)]),";
+        let ceiling = "(id: \"c\", outline: [(-9, 9), (9, 9), (9, 10), (-9, 10)]),";
+        let wall = "(id: \"w\", outline: [(5, -5), (6, -5), (6, 12), (5, 12)]),";
+        let mover = lift((0.0, 5.0), Repeat::PingPong);
+        let far = |features: &str| {
+            let bearers = Bearers::stone(&level(features), -10.0);
+            let frame = frame(&mover, &bearers);
+            assert_eq!(floating(&frame, &bearers), [], "{features}");
+            extent(&frame)
+        };
+        let (low, high) = far(&[ground, wall].concat());
+        assert!(low.y < -3.0 && high.x < 3.0, "stands: {low} {high}");
+        let (low, high) = far(&[ceiling, wall].concat());
+        assert!(
+            low.y > -2.0 && high.y > 9.0 && high.x < 3.0,
+            "hangs: {low} {high}"
+        );
+        let (low, high) = far(wall);
+        assert!(low.y > -6.0 && high.x > 5.0, "is held: {low} {high}");
+        let (low, high) = far("");
+        assert!(low.y < -10.0 && high.x < 3.0, "in the water: {low} {high}");
+    }
+
+    #[test]
+    fn a_rail_ends_at_walls_or_on_posts() {
+        let wall = "(id: \"w\", outline: [(-6, -5), (-5, -5), (-5, 12), (-6, 12)]),";
+        let mover = lift((6.0, 0.0), Repeat::PingPong);
+        let bearers = Bearers::stone(&level(wall), -10.0);
+        let frame = frame(&mover, &bearers);
+        assert_eq!(floating(&frame, &bearers), []);
+        let (low, _) = extent(&frame);
+        assert!(low.x < -5.0 && low.y < -10.0, "{low}");
+        assert_eq!(frame.wheels.len(), 1, "where no wall is");
+    }
+
+    #[test]
+    fn in_the_quarry_no_guide_floats() {
+        let level = quarry();
+        let bearers = Bearers::stone(&level, scene::water(&level));
+        for mover in &level.movers {
+            let floating = floating(&frame(mover, &bearers), &bearers);
+            assert_eq!(floating, [], "{}", mover.id);
         }
     }
 }

@@ -37,13 +37,11 @@ pub enum Part {
     GateLight,
     /// What a trigger is seen as.
     Pedestal,
-    /// What carries the boards of a scaffold.
-    Bracket,
 }
 
 impl Part {
     /// All parts with the nodes that draw them.
-    const NODES: [(Part, &str); 11] = [
+    const NODES: [(Part, &str); 10] = [
         (Part::Spikes, "spikes"),
         (Part::Teeth, "teeth"),
         (Part::LadderMetre, "ladder_metre"),
@@ -54,7 +52,6 @@ impl Part {
         (Part::Gate, "gate"),
         (Part::GateLight, "gate_light"),
         (Part::Pedestal, "pedestal"),
-        (Part::Bracket, "bracket"),
     ];
 
     fn node(self) -> &'static str {

@@ -6,6 +6,7 @@
 mod air;
 mod backdrop;
 mod bake;
+mod bearers;
 mod canvas;
 mod carried;
 mod courses;
@@ -33,6 +34,7 @@ mod scene;
 mod scenery;
 mod shards;
 mod sky;
+mod stands;
 pub(in crate::shell) mod state;
 mod surface;
 mod terrain;

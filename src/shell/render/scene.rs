@@ -4,10 +4,10 @@ use super::frame::PointLight;
 use super::kit::Kit;
 use super::model::{FACET_WORDS, Model, Placed, VERTEX_WORDS, corner_order, light_of, normal};
 use super::shards::Shards;
-use super::{backdrop, bake, fixtures, guides, scenery, terrain, water};
+use super::{backdrop, bake, fixtures, guides, scenery, stands, terrain, water};
 use crate::game::Stage;
 use crate::geom::Collider;
-use crate::level::Feature;
+use crate::level::{Feature, Level};
 use glam::{Mat4, Vec2, Vec3};
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -75,6 +75,11 @@ impl Instance {
     }
 }
 
+/// Height of a level's water.
+pub fn water(level: &Level) -> f32 {
+    level.bottom as f32 + WATER
+}
+
 impl Scene {
     /// Builds the scene of a stage; what floats in it goes to the shards.
     pub fn of(stage: &Stage, kit: &Kit, shards: &mut Shards) -> Scene {
@@ -89,7 +94,7 @@ impl Scene {
         let (min, max) = corners.fold((start, start), |(min, max), p: Vec2| {
             (min.min(p), max.max(p))
         });
-        let water = stage.level.bottom as f32 + WATER;
+        let water = self::water(&stage.level);
         let (things, mut lamps) = scenery::build(kit, &stage.level);
         let moves = |id| outlines.movers.iter().any(|m| m.kind_of(id).is_some());
         let still = stage.features().filter(|&(id, _)| !moves(id));
@@ -107,8 +112,9 @@ impl Scene {
         };
         let solids = terrain::solids(&outlines.level, stage);
         let mut near = terrain::build(&solids);
-        let guides = guides::build(kit, &stage.level.movers);
-        for model in [&things, &fixtures.model, &goal.model, &guides] {
+        let guides = guides::build(&stage.level, water);
+        let stands = stands::build(&stage.level, water);
+        for model in [&things, &fixtures.model, &goal.model, &guides, &stands] {
             near.add(model, Mat4::IDENTITY);
         }
         let (lit, kept) = without_backs(near, |words| bake::bake(words, &scene.lamps));

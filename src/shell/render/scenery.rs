@@ -102,6 +102,8 @@ fn own_turn(kind: SceneryKind) -> f32 {
 
 #[cfg(test)]
 mod tests {
+    use super::super::bearers::Bearers;
+    use super::super::fixtures::edges;
     use super::super::kit::tests::kit;
     use super::*;
     use crate::level;
@@ -145,6 +147,62 @@ mod tests {
         let lowest = |level: &Level| build(&kit(), level).0.bounds().0.y;
         assert!(lowest(&with_slab(-9.0)) < 1.0, "in the rock");
         assert!(lowest(&with_slab(1.2)) > 1.8, "on a slab");
+    }
+
+    /// How far under its ceiling what hangs may begin, and how far over its ground what stands may end, in metres.
+    const NEAR: f32 = 0.3;
+    /// What stands further back than this is seen through the haze, its foot behind what is before it.
+    const HAZY: f64 = -20.0;
+
+    #[test]
+    fn in_the_quarry_no_scenery_floats() {
+        let level = super::super::bearers::tests::quarry();
+        let water = super::super::scene::water(&level);
+        let solids = Bearers::solids(&level, water);
+        let kit = kit();
+        let bounds = |thing: &Scenery| {
+            let (low, high) = kit.scenery(thing.kind).bounds();
+            let at = thing.at.as_vec2().extend(thing.depth as f32);
+            (
+                at + low * thing.scale as f32,
+                at + high * thing.scale as f32,
+            )
+        };
+        // What hangs at boards, or at scenery that stands.
+        let boards = |p: Vec2| {
+            let lines = level.features.iter().filter(|f| f.kind == Kind::OneWay);
+            lines.flat_map(edges).any(|(a, b)| {
+                let share = (p - a).dot(b - a) / (b - a).length_squared();
+                p.distance(a.lerp(b, share.clamp(0.0, 1.0))) < NEAR
+            })
+        };
+        let stands_at = |p: Vec3, other: &Scenery| {
+            let (low, high) = bounds(other);
+            high.y > other.at.y as f32 + STANDS
+                && (low - NEAR).cmple(p).all()
+                && (high + NEAR).cmpge(p).all()
+        };
+        for thing in level.scenery.iter().filter(|thing| thing.depth > HAZY) {
+            let at = thing.at.as_vec2();
+            let (low, high) = bounds(thing);
+            let own = (high.y - at.y) / thing.scale as f32;
+            let place = at.extend(thing.depth as f32);
+            let others = || level.scenery.iter().filter(|other| *other != thing);
+            let near = |way: Vec2| solids.hold(at + way * NEAR);
+            let hangs = own < STANDS || thing.kind == SceneryKind::Ivy;
+            let held = match hangs {
+                true => [Vec2::Y, Vec2::X, Vec2::NEG_X, Vec2::NEG_Y]
+                    .into_iter()
+                    .any(near),
+                false => {
+                    let from = at + Vec2::Y * NEAR;
+                    let ground = solids.reach(from, Vec2::NEG_Y, from.y - low.y);
+                    ground.is_some() || near(Vec2::NEG_Y) || low.y < water
+                }
+            };
+            let held = held || boards(at) || others().any(|other| stands_at(place, other));
+            assert!(held, "{:?} at {at}, depth {}", thing.kind, thing.depth);
+        }
     }
 
     #[test]
