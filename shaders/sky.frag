@@ -1,7 +1,9 @@
 // The sky as its corners have it.
+#include "shown.glsl"
+
 in vec3 light;
 out vec4 screen;
 
 void main() {
-    screen = vec4(light, 1.0);
+    screen = shown(light);
 }

@@ -1,7 +1,9 @@
 // A plain colour in linear light, premultiplied.
+#include "shown.glsl"
+
 in vec4 tint;
 out vec4 screen;
 
 void main() {
-    screen = tint;
+    screen = shown(tint);
 }

@@ -17,6 +17,6 @@ void main() {
     vec3 light = texelFetch(light_map, ivec2(gl_FragCoord.xy), 0).rgb;   // texel for texel
 #endif
     light += texture(bloom_map, place).rgb * BLOOM;
-    vec3 shown = tone(light * cloud.w, gl_FragCoord.xy, place);
+    vec3 shown = curve(light * cloud.w * vignette(place)) + grain(gl_FragCoord.xy);
     screen = vec4(shown, dot(shown, vec3(0.299, 0.587, 0.114)));
 }

@@ -1,5 +1,6 @@
 // Dark and clear from above, the sky's mirror from aside; facets catch the sunset.
 #include "light.glsl"
+#include "shown.glsl"
 
 in vec3 at;
 out vec4 screen;
@@ -14,5 +15,5 @@ void main() {
     float glint = max(dot(mirrored, SUNSET), 0.0);
     vec3 light = mix(vec3(0.012, 0.060, 0.078), sky, mirror) + haze_warm.rgb * pow(glint, 24.0);
     light = mix(light, haze(from), fog(at) * 0.8);
-    screen = vec4(light, 1.0);
+    screen = shown(light);
 }

@@ -1,6 +1,7 @@
 // Adds the key light where no shadow falls.
 #include "light.glsl"
 #include "shadow.glsl"
+#include "shown.glsl"
 
 in vec3 base;
 in vec3 key;
@@ -18,5 +19,5 @@ void main() {
 #ifdef PER_PIXEL
     light += lit_albedo * lamps(lit_at, lit_normal) * clear;
 #endif
-    screen = vec4(light, 1.0);
+    screen = shown(light);
 }

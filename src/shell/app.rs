@@ -36,7 +36,7 @@ const MODELS: &str = "assets/models";
 const FREE_FRAME: Duration = Duration::from_micros(4000);
 const IDLE_FRAME: Duration = Duration::from_millis(33);
 /// Time per frame where frames are measured.
-const MEASURED_FRAME: Duration = Duration::from_nanos(16_666_666);
+pub(super) const MEASURED_FRAME: Duration = Duration::from_nanos(16_666_666);
 
 /// The running game.
 pub struct App {
@@ -239,16 +239,20 @@ impl App {
         Ok(())
     }
 
-    /// One frame of a sixtieth of a second, for measuring: ticks and picture, but no waiting for anything but that.
-    ///
-    /// # Errors
-    /// OpenGL fails.
-    pub(super) fn measured_frame(&mut self) -> Result<(), ShellError> {
+    /// The ticks of one frame of a sixtieth of a second, for measuring.
+    pub(super) fn measured_ticks(&mut self) {
         self.poll_events();
         self.paused = false;
         self.advance_front(MEASURED_FRAME);
         self.advance(MEASURED_FRAME);
-        self.draw(MEASURED_FRAME.as_secs_f32())?;
+    }
+
+    /// The picture of one frame, for measuring: so long after the one before, and no waiting for anything but that.
+    ///
+    /// # Errors
+    /// OpenGL fails.
+    pub(super) fn measured_picture(&mut self, after: Duration) -> Result<(), ShellError> {
+        self.draw(after.as_secs_f32())?;
         self.platform.window.gl_swap_window();
         self.renderer.finish();
         Ok(())

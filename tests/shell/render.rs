@@ -441,10 +441,9 @@ fn a_broken_shader(studio: &Studio) {
         renderer.reload_shaders().unwrap();
     }
     let sky = folder.join("sky.frag");
-    let red = fs::read_to_string(&sky).unwrap().replace(
-        "screen = vec4(light,",
-        "screen = vec4(vec3(1.0, 0.0, 0.0) + 0.0 * light,",
-    );
+    let red = fs::read_to_string(&sky)
+        .unwrap()
+        .replace("shown(light)", "shown(vec3(1.0, 0.0, 0.0) + 0.0 * light)");
     fs::write(&sky, red).unwrap();
     renderer.reload_shaders().unwrap();
     let (changed, _) = difference(&good, &shoot(&mut renderer, &view, camera(view.position)));

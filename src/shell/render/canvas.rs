@@ -1,8 +1,9 @@
-//! Where a picture is put together before it comes to the window: the scene in linear light at the preset's resolution,
+//! Where a picture is put together before it comes to the window: the scene at the preset's resolution,
 //! the stages of its bloom, and the picture as the screen will have it.
 
 use super::gl::Gl;
 use super::quality::{Finish, Quality};
+use super::state::Texels;
 use super::surface::Surface;
 
 /// Most texels of a scene: those of a display of 5120 by 2880 points.
@@ -12,7 +13,7 @@ const FIRST_STAGE: u32 = 4;
 
 /// Surfaces of one size of the window.
 pub struct Stages {
-    /// The scene in linear light.
+    /// The scene: in linear light, or as on the screen.
     pub scene: Surface,
     /// The bloom, from the largest stage to the smallest.
     pub bloom: Vec<Surface>,
@@ -50,11 +51,13 @@ impl Stages {
     fn new(gl: &Gl, quality: &Quality, size: (u32, u32)) -> Result<Stages, String> {
         let stage = |number: u32| {
             let share = FIRST_STAGE << number;
-            Surface::light(gl, ((size.0 / share).max(1), (size.1 / share).max(1)))
+            let size = ((size.0 / share).max(1), (size.1 / share).max(1));
+            Surface::flat(gl, size, quality.texels)
         };
-        let screen = (quality.finish != Finish::AtOnce).then(|| Surface::screen(gl, size));
+        let screen =
+            (quality.finish != Finish::AtOnce).then(|| Surface::flat(gl, size, Texels::Screen));
         Ok(Stages {
-            scene: Surface::scene(gl, size, quality.samples)?,
+            scene: Surface::scene(gl, size, quality.texels, quality.samples)?,
             bloom: (0..quality.bloom_stages)
                 .map(stage)
                 .collect::<Result<_, _>>()?,

@@ -1,5 +1,6 @@
 //! What a preset means for the passes.
 
+use super::state::Texels;
 use crate::cli::Preset;
 
 /// How the picture comes to the window.
@@ -18,6 +19,9 @@ pub enum Finish {
 pub struct Quality {
     /// Texels of the scene for a pixel of the window, along a side.
     pub scale: f32,
+    /// What a texel of the scene holds: linear light; or the colour that the screen will have, which takes half the memory and no
+    /// pass of its own to the screen, but sums lights only about as they are.
+    pub texels: Texels,
     /// Texels along the shadow map's side; without one, shadows are those that were baked into the vertices.
     pub shadow_side: Option<u32>,
     /// Samples for a texel of the scene; 0 for one without multisampling.
@@ -40,6 +44,7 @@ impl Quality {
         match preset {
             Preset::Low => Quality {
                 scale: 0.5,
+                texels: Texels::Screen,
                 shadow_side: None,
                 samples: 0,
                 finish: Finish::Enlarged,
@@ -50,6 +55,7 @@ impl Quality {
             },
             Preset::Medium => Quality {
                 scale: 1.0,
+                texels: Texels::Light,
                 shadow_side: Some(1024),
                 samples: 0,
                 finish: Finish::Smoothed,
@@ -60,6 +66,7 @@ impl Quality {
             },
             Preset::High => Quality {
                 scale: 1.0,
+                texels: Texels::Light,
                 shadow_side: Some(2048),
                 samples: 4,
                 finish: Finish::AtOnce,
@@ -68,6 +75,14 @@ impl Quality {
                 motes: 1.0,
                 blob: 0.3,
             },
+        }
+    }
+
+    /// The fragment shader that brings the scene's texels, one by one, to what the screen shows.
+    pub fn last_shader(&self) -> &'static str {
+        match self.texels {
+            Texels::Screen => "edges",
+            _ => "tone",
         }
     }
 
@@ -85,6 +100,9 @@ impl Quality {
             Finish::Smoothed => "",
             Finish::Enlarged => "#define ENLARGED\n",
         };
+        if self.texels == Texels::Screen {
+            lines += "#define SCREEN_TEXELS\n";
+        }
         if self.per_pixel {
             lines += "#define PER_PIXEL\n#define SOFT_SHADOW\n";
         }

@@ -1,4 +1,4 @@
-//! Pictures that passes draw into: the shadow map, the scene in linear light, the stages of the bloom.
+//! Pictures that passes draw into: the shadow map, the scene, the stages of the bloom.
 
 use super::gl::{Gl, Owned};
 use super::state::{Spec, Texels};
@@ -21,34 +21,39 @@ impl Surface {
         Surface::new(gl, (side, side), Texels::Depth, 0)
     }
 
-    /// A picture in linear light without depth.
-    pub fn light(gl: &Gl, size: (u32, u32)) -> Result<Surface, String> {
-        Surface::new(gl, size, Texels::Light, 0)
+    /// A picture without depth.
+    pub fn flat(gl: &Gl, size: (u32, u32), texels: Texels) -> Result<Surface, String> {
+        Surface::new(gl, size, texels, 0)
     }
 
-    /// A picture as on the screen, without depth.
-    pub fn screen(gl: &Gl, size: (u32, u32)) -> Result<Surface, String> {
-        Surface::new(gl, size, Texels::Screen, 0)
-    }
-
-    /// A picture in linear light with depth, of one or several samples a pixel.
-    pub fn scene(gl: &Gl, size: (u32, u32), samples: u32) -> Result<Surface, String> {
+    /// A picture with depth, of one or several samples a pixel.
+    pub fn scene(
+        gl: &Gl,
+        size: (u32, u32),
+        texels: Texels,
+        samples: u32,
+    ) -> Result<Surface, String> {
         let bound = gl.bound();
-        let built = Surface::build_scene(gl, size, samples);
+        let built = Surface::build_scene(gl, size, texels, samples);
         gl.bind(bound);
         built
     }
 
-    fn build_scene(gl: &Gl, size: (u32, u32), samples: u32) -> Result<Surface, String> {
+    fn build_scene(
+        gl: &Gl,
+        size: (u32, u32),
+        colours: Texels,
+        samples: u32,
+    ) -> Result<Surface, String> {
         let spec = |texels, samples| Spec {
             size,
             texels,
             samples,
         };
-        let texture = texture(gl, spec(Texels::Light, 0))?;
+        let texture = texture(gl, spec(colours, 0))?;
         let depth = gl.renderbuffer(&spec(Texels::Depth, samples))?;
         if samples == 0 {
-            let drawn = gl.framebuffer(&[(Texels::Light, &texture), (Texels::Depth, &depth)])?;
+            let drawn = gl.framebuffer(&[(colours, &texture), (Texels::Depth, &depth)])?;
             return Ok(Surface {
                 size,
                 drawn,
@@ -58,9 +63,9 @@ impl Surface {
                 _samples: None,
             });
         }
-        let several = gl.renderbuffer(&spec(Texels::Light, samples))?;
-        let drawn = gl.framebuffer(&[(Texels::Light, &several), (Texels::Depth, &depth)])?;
-        let resolved = Some(gl.framebuffer(&[(Texels::Light, &texture)])?);
+        let several = gl.renderbuffer(&spec(colours, samples))?;
+        let drawn = gl.framebuffer(&[(colours, &several), (Texels::Depth, &depth)])?;
+        let resolved = Some(gl.framebuffer(&[(colours, &texture)])?);
         Ok(Surface {
             size,
             drawn,
