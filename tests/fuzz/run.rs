@@ -33,25 +33,11 @@ const TOP: f64 = 4000.0;
 /// Ticks for which a crushed body is watched: it must not move any more.
 const MOURNING: u64 = 5;
 
-/// A tick, and what is asked of it.
-type Judge = fn(&mut Body, f64, &Terrain, &mut Trace) -> Result<(), String>;
-
 /// Lives a life in the meshes of its world, which may be changed by its edits.
 pub fn live(case: &Case, ready: &mut Ready, tally: &mut Tally) -> Result<(), Failure> {
-    live_as(case, ready, tally, checked)
-}
-
-/// The same; nothing is asked but that the body does not get into a solid, that its numbers are finite, and that it ends.
-pub fn survive(case: &Case) -> Result<(), Failure> {
-    live_as(case, &mut case.world.ready(), &mut Tally::default(), sound)
-}
-
-fn live_as(case: &Case, ready: &mut Ready, tally: &mut Tally, judge: Judge) -> Result<(), Failure> {
     let mut tick = 0;
     // A panic is a failure like any other, which can be cut down.
-    let lived = catch_unwind(AssertUnwindSafe(|| {
-        ticks(case, ready, tally, &mut tick, judge)
-    }));
+    let lived = catch_unwind(AssertUnwindSafe(|| ticks(case, ready, tally, &mut tick)));
     let what = match lived {
         Ok(Ok(())) => return Ok(()),
         Ok(Err(what)) => what,
@@ -64,13 +50,7 @@ fn live_as(case: &Case, ready: &mut Ready, tally: &mut Tally, judge: Judge) -> R
     Err(Failure { tick, what })
 }
 
-fn ticks(
-    case: &Case,
-    ready: &mut Ready,
-    tally: &mut Tally,
-    n: &mut u64,
-    judge: Judge,
-) -> Result<(), String> {
+fn ticks(case: &Case, ready: &mut Ready, tally: &mut Tally, n: &mut u64) -> Result<(), String> {
     let (world, life) = (&case.world, &case.life);
     let time = |n: u64| (life.since + n) as f64 / world.rate;
     let Some(mut body) = born(ready, &world.tuning, life.start, time(0)) else {
@@ -90,7 +70,7 @@ fn ticks(
         while let Some(&(_, control)) = inputs.next_if(|i| i.0 <= *n) {
             body.apply(control, &terrain, &mut trace);
         }
-        if let Err(what) = judge(&mut body, time(*n), &terrain, &mut trace) {
+        if let Err(what) = checked(&mut body, time(*n), &terrain, &mut trace) {
             let last: Vec<_> = trace.events.iter().rev().take(8).rev().collect();
             return Err(format!("{what}\n    after {last:?}\n    {body:?}"));
         }
@@ -98,15 +78,6 @@ fn ticks(
         dead += u64::from(matches!(body.mode(), Mode::Crushed(_)));
     }
     Ok(())
-}
-
-/// A tick, and after it only I1 and I3 as they are judged from outside.
-fn sound(body: &mut Body, to: f64, terrain: &Terrain, trace: &mut Trace) -> Result<(), String> {
-    body.advance(to, terrain, trace);
-    if !(body.position().is_finite() && body.velocity().is_finite()) {
-        return Err(format!("I3: {} {}", body.position(), body.velocity()));
-    }
-    outside(body, terrain)
 }
 
 /// A tick, and every invariant after it.

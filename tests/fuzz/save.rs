@@ -34,14 +34,10 @@ pub fn load(path: &Path) -> Case {
     ron::from_str(&text).unwrap_or_else(|e| panic!("{}: {e}", path.display()))
 }
 
-/// All runs in a folder, in order of their names; none if there is no such folder.
+/// All runs in a folder, in order of their names.
 pub fn load_all(folder: &Path) -> Vec<(PathBuf, Case)> {
-    let files = std::fs::read_dir(root().join(folder));
-    let mut paths: Vec<PathBuf> = files
-        .into_iter()
-        .flatten()
-        .map(|f| f.unwrap().path())
-        .collect();
+    let files = std::fs::read_dir(root().join(folder)).unwrap();
+    let mut paths: Vec<PathBuf> = files.map(|f| f.unwrap().path()).collect();
     paths.sort();
     paths.into_iter().map(|p| (p.clone(), load(&p))).collect()
 }
