@@ -11,7 +11,7 @@ CLIFF = Paint(0x77737F, 0.10, 0x7F8A66, 0.8)
 UNDER = 10.0  # how far distant things go down below their foot
 
 
-def window(p, x, y, z, lit, width=0.42, height=0.95):
+def window(p, x, y, z, lit, width=0.34, height=0.70):
     """A narrow window in a wall that faces the camera."""
     outline = [(-width / 2, 0), (width / 2, 0), (width / 2, height * 0.7), (0, height), (-width / 2, height * 0.7)]
     paint = WARM_WINDOW if lit else VOID
@@ -37,7 +37,7 @@ def tower():
     p.block((0.2, 10.5, -0.2), (2.7, 1.5, 2.7), STONE, bevel=0.08)
     roof = hull([(x, 12.0, z) for x in (-1.6, 2.0) for z in (-2.0, 1.6)] + [(0.2, 14.6, -0.2)])
     p.solid(roof, TILES)
-    for x, y, z, lit in ((-0.9, 2.6, 2.31, True), (0.9, 3.3, 2.30, False), (0.2, 6.4, 2.14, True), (-1.1, 8.0, 2.08, False), (1.1, 8.1, 2.08, True), (0.2, 10.8, 1.16, True)):
+    for x, y, z, lit in ((-0.9, 2.6, 2.31, False), (0.9, 3.3, 2.30, False), (0.2, 6.4, 2.14, True), (-1.1, 8.0, 2.08, False), (1.1, 8.1, 2.08, False), (0.2, 10.8, 1.16, False)):
         window(p, x, y, z, lit)
     for x in (-2.1, 2.1):
         p.block((x, 1.2, 2.2), (0.7, 3.2, 0.7), DARK, bevel=0, taper=0.7)
@@ -137,8 +137,8 @@ def windmill():
                 u, v = 1.62 + 0.72 * i, 2.34 + 0.72 * i
                 sail = [hub + d * u + s * 0.1, hub + d * v + s * 0.1, hub + d * v + s * 1.1, hub + d * u + s * 1.1]
                 p.poly([q + vec(0, 0, 0.05) for q in sail], BONE.shifted(0.85), both=True)
-    for x, y, z, lit in ((0.1, 2.6, 2.02, False), (-0.1, 5.2, 1.76, True)):
-        window(p, x, y, z, lit, 0.5, 1.0)
+    for x, y, z, lit in ((0.1, 2.6, 2.02, False), (-0.1, 5.2, 1.76, False)):
+        window(p, x, y, z, lit, 0.38, 0.74)
     door = [(-0.5, 0.7), (0.5, 0.7), (0.5, 2.0), (0, 2.4), (-0.5, 2.0)]
     p.poly([(1.15 + u * 0.7, v - 0.2, 2.06 - 0.35 * (u + 0.5)) for u, v in door], VOID)
     return p

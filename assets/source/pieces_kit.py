@@ -61,7 +61,7 @@ FLAME = Paint(0xFFCB68, 0.05, glow=True)
 GLASS = Paint(0x3E4A50, 0.10)
 MAGIC = Paint(0x6FEBDC, 0.08, glow=True)
 HOT = Paint(0xFF4E1E, 0.10, glow=True)
-WARM_WINDOW = Paint(0xFFB050, 0.10, glow=True)
+WARM_WINDOW = Paint(0x8F6032, 0.10, glow=True)
 
 
 def linear(colour):

@@ -204,30 +204,30 @@ def treadwheel():
 
 def pulley():
     p = Piece("pulley", sway=0.25, ground=False, dirt=0.0)
-    p.tube([(0, 0.05, 0), (0.0, -0.9, 0)], 0.035, 4, ROPE, caps=False)
+    p.tube([(0, 0.05, 0), (0.0, -0.9, 0)], 0.055, 4, ROPE, caps=False)
     for z in (-0.11, 0.11):
         p.block((0, -1.42, z), (0.30, 0.60, 0.05), WOOD, bevel=0.03)
     p.lathe([(-0.07, 0.19), (-0.02, 0.14), (0.02, 0.14), (0.07, 0.19)], 8, BRASS.shifted(0.8), (0, -1.12, 0), turned(x=90))
     p.beam((0, -1.12, -0.18), (0, -1.12, 0.18), 0.035, IRON)
-    p.tube([(0.15, -1.1, 0), (0.16, 0.05, 0)], 0.03, 4, ROPE, caps=False)
+    p.tube([(0.17, -1.1, 0), (0.18, 0.05, 0)], 0.05, 4, ROPE, caps=False)
     p.tube([(0, -1.40, 0), (0, -1.56, 0), (0.10, -1.68, 0), (0.13, -1.82, 0), (0.03, -1.95, 0), (-0.11, -1.90, 0), (-0.15, -1.78, 0)],
-           [0.04, 0.045, 0.05, 0.055, 0.05, 0.04, 0.0], 5, IRON)  # fmt: skip
+           [0.055, 0.06, 0.07, 0.075, 0.07, 0.06, 0.0], 5, IRON)  # fmt: skip
     return p
 
 
 def chain():
     p = Piece("chain", sway=0.12, ground=False, dirt=0.0)
-    for i in range(13):
-        link(p, (0, 0.03 - 0.30 * i, 0), 0.18, 0.085, i % 2, RUST.shifted(0.8) if i % 3 else IRON, 0.032)
+    for i in range(7):
+        link(p, (0, 0.05 - 0.565 * i, 0), 0.32, 0.15, i % 2, RUST.shifted(0.8) if i % 3 else IRON, 0.058, 4)
     return p
 
 
 def rope():
     p = Piece("rope", sway=0.3, ground=False, dirt=0.0)
-    path = [(0.03 * math.sin(i * 1.1), 0.05 - 0.42 * i, 0.02 * math.cos(i)) for i in range(10)]
-    p.tube(path, 0.032, 5, ROPE)
+    path = [(0.04 * math.sin(i * 1.9), 0.05 - 0.63 * i, 0.02 * math.cos(i)) for i in range(7)]
+    p.tube(path, 0.055, 5, ROPE)
     x, y, z = path[-1]
-    p.lathe([(-0.16, 0.035), (-0.12, 0.085), (-0.04, 0.095), (0.02, 0.05)], 6, ROPE.shifted(0.9), (x, y, z))
+    p.lathe([(-0.20, 0.06), (-0.14, 0.13), (-0.04, 0.14), (0.04, 0.07)], 6, ROPE.shifted(0.9), (x, y, z))
     for k in range(5):
         a = k * 1.26
         p.poly([(x + 0.02, y - 0.14, z), (x - 0.02, y - 0.14, z), (x + 0.09 * math.cos(a), y - 0.42 + 0.05 * (k % 3), z + 0.09 * math.sin(a))], ROPE, both=True)

@@ -56,21 +56,19 @@ def teeth():
 
 def wrap(p, x, y, z):
     """Cloth around the end of a rung, its end hanging down."""
-    p.block((x, y - 0.06, z), (0.15, 0.12, 0.11), GOLD, bevel=0)
-    low = vec(x + 0.03, y - 0.30, z + 0.07)
-    p.poly([vec(x - 0.05, y - 0.05, z + 0.06), low, vec(x + 0.06, y - 0.05, z + 0.06)], GOLD.shifted(0.85), both=True)
+    p.block((x, y - 0.085, z), (0.18, 0.17, 0.15), GOLD, bevel=0)
+    low = vec(x + 0.03, y - 0.36, z + 0.09)
+    p.poly([vec(x - 0.08, y - 0.05, z + 0.08), low, vec(x + 0.09, y - 0.05, z + 0.08)], GOLD.shifted(0.85), both=True)
 
 
 def ladder_metre():
     """A metre of a wooden ladder, as wide as a metre, about its middle; it goes up from its foot."""
     p = Piece("ladder_metre", ground=False, dirt=0.0)
     for x in (-0.42, 0.42):
-        p.beam((x, 0, 0), (x, 1.0, 0), 0.05, OLD_WOOD, 0.012)
+        p.beam((x, 0, 0), (x, 1.0, 0), 0.06, OLD_WOOD, 0.012)
     for k, tilt in enumerate((0.01, -0.012, 0.006)):
         y = 0.17 + 0.333 * k
-        p.beam((-0.47, y - tilt, 0.05), (0.47, y + tilt, 0.05), 0.032, WOOD, 0.008)
-        for x in (-0.42, 0.42):
-            p.block((x, y - 0.05, 0.05), (0.07, 0.10, 0.06), OLD_WOOD, bevel=0)
+        p.beam((-0.5, y - tilt, 0.06), (0.5, y + tilt, 0.06), 0.052, WOOD, 0.008)
     wrap(p, 0.42 * (-1), 0.17 + 0.333, 0.05)
     wrap(p, 0.42, 0.17 + 0.333, 0.05)
     return p
@@ -79,10 +77,10 @@ def ladder_metre():
 def chain_metre():
     """A metre of a heavy chain to climb, with a rung through every other link; it goes up from its foot."""
     p = Piece("chain_metre", ground=False, dirt=0.0)
-    for k in range(4):
-        link(p, (0, 1.04 - 0.25 * k, 0), 0.155, 0.095, k % 2, IRON.shifted(1.15), 0.036, 4)
+    for k in range(2):
+        link(p, (0, 1.06 - 0.5 * k, 0), 0.29, 0.15, k % 2, IRON.shifted(1.15), 0.056, 4)
     for y in (0.27, 0.77):
-        p.beam((-0.30, y, 0), (0.30, y + 0.01, 0), 0.034, RUST, 0.01)
+        p.beam((-0.32, y, 0), (0.32, y + 0.01, 0), 0.052, RUST, 0.01)
         for x in (-0.27, 0.27):
             wrap(p, x, y, 0)
     return p
@@ -93,16 +91,16 @@ def vine_metre():
     p = Piece("vine_metre", sway=0.05, ground=False, dirt=0.0)
     for x, z, phase in ((-0.26, 0.0, 0.0), (0.04, 0.05, 2.0), (0.28, -0.02, 4.2)):
         path = [(x + 0.06 * math.sin(phase + k * math.pi / 2), k / 4, z) for k in range(5)]
-        p.tube(path, 0.045, 4, STEM, caps=False)
-        for k in range(6):
-            y = (k + 0.5) / 6
-            side = 1 if k % 2 else -1
+        p.tube(path, 0.06, 4, STEM, caps=False)
+        for k in range(3):
+            y = (k + 0.5 + 0.3 * (phase > 3)) / 3
+            side = 1 if (k + (phase > 1)) % 2 else -1
             at = vec(x, y, z + 0.05)
-            tip = at + vec(0.24 * side * p.rng.uniform(0.8, 1.2), -0.10, p.rng.uniform(0.02, 0.14))
+            tip = at + vec(0.34 * side * p.rng.uniform(0.85, 1.15), -0.16, p.rng.uniform(0.02, 0.14))
             tone = LEAF.shifted(p.rng.uniform(0.85, 1.3))
-            p.poly([at, (at + tip) / 2 + vec(0, -0.08, 0.03), tip, (at + tip) / 2 + vec(0, 0.08, 0.03)][::side], tone, both=True)
-    for x, y in ((-0.30, 0.12), (0.12, 0.30), (-0.10, 0.52), (0.32, 0.66), (-0.26, 0.84)):
-        blossom(p, vec(x, y, 0.19), 0.11 * p.rng.uniform(0.85, 1.15))
+            p.poly([at, (at + tip) / 2 + vec(0, -0.14, 0.03), tip, (at + tip) / 2 + vec(0, 0.13, 0.03)][::side], tone, both=True)
+    for x, y in ((-0.28, 0.16), (0.20, 0.48), (-0.22, 0.80)):
+        blossom(p, vec(x, y, 0.21), 0.16 * p.rng.uniform(0.9, 1.1))
     return p
 
 

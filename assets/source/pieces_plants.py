@@ -13,9 +13,10 @@ BARK = Paint(0x5E4E48, 0.13)
 DEAD_BARK = Paint(0x85796F, 0.13)
 STEM = Paint(0x5F7448, 0.12)
 BROWN = Paint(0x6B4630, 0.10)
-CAP = Paint(0xD8C6A4, 0.10)
-GILLS = Paint(0xA98D74, 0.08)
-FEATHER = Paint(0x2E3038, 0.10)
+CAP = Paint(0x7E5F4C, 0.10)
+GILLS = Paint(0x57463E, 0.08)
+STALK = Paint(0x9A8C78, 0.08)
+FEATHER = Paint(0x1D1F26, 0.10)
 
 
 def blade(p, root, tip, width, low, high, bend=0.12):
@@ -31,14 +32,14 @@ def blade(p, root, tip, width, low, high, bend=0.12):
 
 def grass():
     p = Piece("grass", sway=0.8, dirt=0.45)
-    for i in range(15):
+    for i in range(9):
         a = 2.39996 * i
         out = vec(math.cos(a), 0, math.sin(a))
-        lean, height = p.rng.uniform(0.10, 0.52), p.rng.uniform(0.35, 0.86)
+        lean, height = p.rng.uniform(0.10, 0.56), p.rng.uniform(0.4, 0.86)
         root = out * 0.14 * p.rng.random() - vec(0, 0.05, 0)
         low = BLADE.shifted(p.rng.uniform(0.75, 0.95))
         high = DRY if p.rng.random() < 0.3 else BLADE.shifted(1.12)
-        blade(p, root, out * lean + vec(0, height, 0), 0.085, low, high)
+        blade(p, root, out * lean + vec(0, height, 0), 0.15, low, high)
     return p
 
 
@@ -80,16 +81,16 @@ def bush():
 
 def reed():
     p = Piece("reed", sway=0.7, dirt=0.4)
-    for i in range(12):
+    for i in range(8):
         a = 2.39996 * i
         out = vec(math.cos(a), 0, math.sin(a))
         root = out * 0.22 * p.rng.random() - vec(0, 0.1, 0)
         tip = out * p.rng.uniform(0.12, 0.5) + vec(0, p.rng.uniform(0.9, 1.65), 0)
-        blade(p, root, tip, 0.075, BLADE.shifted(0.72), BLADE.shifted(p.rng.uniform(0.95, 1.2)), 0.10)
+        blade(p, root, tip, 0.13, BLADE.shifted(0.72), BLADE.shifted(p.rng.uniform(0.95, 1.2)), 0.10)
     for x, z, height in ((0.06, 0.05, 1.82), (-0.16, 0.02, 1.55), (0.2, -0.08, 1.38), (-0.02, 0.14, 1.22)):
         top = (x * 1.7, height, z)
-        p.tube([(x, -0.1, z), top], 0.014, 3, STEM, caps=False)
-        p.lathe([(-0.30, 0.02), (-0.26, 0.048), (-0.06, 0.045), (0.0, 0.012), (0.12, 0.0)], 5, BROWN, top)
+        p.tube([(x, -0.1, z), top], 0.035, 3, STEM, caps=False)
+        p.lathe([(-0.34, 0.03), (-0.28, 0.085), (-0.06, 0.08), (0.0, 0.03), (0.12, 0.0)], 5, BROWN, top)
     return p
 
 
@@ -142,13 +143,13 @@ def ivy():
     stems = []
     for x, lean in ((-0.5, 0.15), (0.1, -0.12), (0.55, 0.1)):
         path = [(x + lean * math.sin(k * 1.3), -1.05 + 0.36 * k, 0.03) for k in range(6)]
-        p.tube(path, [0.03, 0.028, 0.024, 0.02, 0.015, 0.01], 3, BROWN, caps=False)
+        p.tube(path, [0.055, 0.05, 0.05, 0.045, 0.04, 0.03], 3, BROWN, caps=False)
         stems += path
-    for i in range(96):
+    for i in range(38):
         x, y, z = stems[p.rng.randrange(len(stems))]
         a, far = p.rng.uniform(0, 2 * math.pi), p.rng.uniform(0.03, 0.30)
         at = vec(x + far * math.cos(a), y + far * math.sin(a) * 0.9, 0.05 + 0.06 * p.rng.random())
-        size = p.rng.uniform(0.15, 0.26)
+        size = p.rng.uniform(0.30, 0.46)
         tip = at + vec(size * p.rng.uniform(-0.5, 0.5), -size, 0.07)
         wide, tone = vec(size * 0.55, -0.02, 0), LEAF.shifted(p.rng.uniform(0.65, 1.25))
         p.poly([at, at - wide - vec(0, 0.35 * size, 0.0), tip], tone)
@@ -158,18 +159,18 @@ def ivy():
 
 def vine():
     p = Piece("vine", sway=0.4, ground=False, dirt=-0.15)
-    for x, z, length in ((0.0, 0.05, 3.0), (-0.26, -0.04, 2.2), (0.24, 0.0, 2.55), (-0.48, 0.03, 1.3), (0.45, -0.05, 1.55)):
+    for x, z, length in ((0.0, 0.05, 3.0), (-0.34, -0.04, 2.0), (0.32, 0.0, 2.4)):
         steps = 5
         path = [(x + 0.05 * math.sin(k * 1.7 + x * 9), 0.1 - (length + 0.1) * k / steps, z) for k in range(steps + 1)]
-        p.tube(path, [0.026 - 0.003 * k for k in range(steps + 1)], 3, STEM, caps=False)
-        for k in range(int(length / 0.24)):
-            t = (k + 0.6) * 0.24 / length
+        p.tube(path, [0.055 - 0.004 * k for k in range(steps + 1)], 3, STEM, caps=False)
+        for k in range(int(length / 0.42)):
+            t = (k + 0.6) * 0.42 / length
             i = min(int(t * steps), steps - 1)
             at = vec(*path[i]) + (vec(*path[i + 1]) - vec(*path[i])) * (t * steps - i)
             side = 1 if k % 2 else -1
-            tip = at + vec(0.17 * side * p.rng.uniform(0.8, 1.3), -0.13, p.rng.uniform(-0.02, 0.13))
-            middle = (at + tip) / 2 + vec(0, 0.055, 0.02)
-            lower = (at + tip) / 2 + vec(0, -0.055, 0.02)
+            tip = at + vec(0.31 * side * p.rng.uniform(0.85, 1.2), -0.24, p.rng.uniform(-0.02, 0.13))
+            middle = (at + tip) / 2 + vec(0, 0.11, 0.02)
+            lower = (at + tip) / 2 + vec(0, -0.11, 0.02)
             tone = LEAF.shifted(p.rng.uniform(0.75, 1.2))
             p.poly([at, lower, tip, middle][::side], tone, both=True)
     return p
@@ -177,25 +178,25 @@ def vine():
 
 def mushrooms():
     p = Piece("mushrooms", dirt=0.3)
-    for x, z, height, size, lean in ((0.0, 0.0, 0.40, 0.20, 6), (0.22, 0.10, 0.26, 0.14, -10), (-0.20, 0.08, 0.30, 0.15, 12), (0.10, 0.24, 0.15, 0.09, 0), (-0.36, 0.02, 0.16, 0.10, 14), (0.40, 0.02, 0.14, 0.085, -12)):
+    for x, z, height, size, lean in ((0.0, 0.0, 0.44, 0.26, 5), (0.36, 0.08, 0.24, 0.17, -9), (-0.32, 0.06, 0.30, 0.18, 10)):
         turn = turned(z=lean)
-        p.lathe([(-0.04, size * 0.34), (height * 0.8, size * 0.22)], 5, CAP.shifted(0.8), (x, 0, z), turn)
+        p.lathe([(-0.04, size * 0.34), (height * 0.8, size * 0.22)], 5, STALK, (x, 0, z), turn)
         top = [(height * 0.74, size * 0.2), (height * 0.70, size), (height * 0.86, size * 0.86), (height * 1.08, size * 0.3), (height * 1.1, 0.0)]
         p.lathe(top, 7, [GILLS, CAP, CAP.shifted(1.05), CAP.shifted(1.1)], (x, 0, z), turn)
     return p
 
 
 def bird():
-    """It sits and looks to the right."""
+    """It sits and looks to the right: all dark, so that nobody takes it for a thing to pick up."""
     p = Piece("bird", dirt=0.0)
-    p.tube([(-0.20, 0.13, 0), (-0.13, 0.15, 0), (-0.02, 0.17, 0), (0.07, 0.20, 0), (0.12, 0.25, 0)], [0.02, 0.065, 0.082, 0.06, 0.02], 6, FEATHER, spin=0.5)
-    p.solid(boulder(p.rng, (0.052, 0.046, 0.046), 12), FEATHER.shifted(1.2), (0.125, 0.275, 0))
-    p.tube([(0.165, 0.275, 0), (0.235, 0.262, 0)], [0.018, 0.0], 4, Paint(0xC79A4A, 0.05))
+    p.tube([(-0.20, 0.13, 0), (-0.13, 0.15, 0), (-0.02, 0.17, 0), (0.07, 0.20, 0), (0.12, 0.25, 0)], [0.03, 0.085, 0.11, 0.085, 0.04], 6, FEATHER, spin=0.5)
+    p.solid(boulder(p.rng, (0.075, 0.066, 0.066), 12), FEATHER.shifted(1.2), (0.125, 0.275, 0))
+    p.tube([(0.175, 0.275, 0), (0.28, 0.262, 0)], [0.03, 0.0], 4, FEATHER.shifted(1.5))
     for side in (-1, 1):
         wing = [(0.04, 0.215, 0.05 * side), (-0.05, 0.15, 0.088 * side), (-0.27, 0.12, 0.03 * side), (-0.08, 0.225, 0.055 * side)]
         p.poly(wing[::side], FEATHER.shifted(0.8), both=True)
-        p.tube([(0.0, 0.11, 0.025 * side), (0.01, 0.0, 0.025 * side)], 0.008, 3, Paint(0xC79A4A, 0.05))
-    p.poly([(-0.16, 0.15, 0.03), (-0.36, 0.09, 0.045), (-0.36, 0.09, -0.045), (-0.16, 0.15, -0.03)], FEATHER, both=True)
+        p.tube([(0.0, 0.11, 0.025 * side), (0.01, 0.0, 0.025 * side)], 0.022, 3, FEATHER)
+    p.poly([(-0.16, 0.15, 0.03), (-0.42, 0.10, 0.07), (-0.42, 0.10, -0.07), (-0.16, 0.15, -0.03)], FEATHER, both=True)
     return p
 
 

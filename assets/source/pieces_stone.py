@@ -2,7 +2,7 @@
 
 import math
 
-from pieces_kit import DARK, PALE, STONE, Paint, Piece, boulder, box, drum, hull, prism, turned, vec
+from pieces_kit import DARK, MOSS, PALE, STONE, Paint, Piece, boulder, box, drum, hull, prism, turned, vec
 
 MOULDING = PALE.shifted(1.08)
 HOLLOW = Paint(0x34353F, 0.05)
@@ -259,18 +259,20 @@ def heap(name, paint, stones):
     return p
 
 
+LOOSE = Paint(0x6C6F80, 0.09, MOSS, 0.5)  # what has broken off the rock, and has its colour
+
+
 def rubble():
-    return heap("rubble", STONE, [
+    return heap("rubble", LOOSE, [
         (-0.35, 0.26, -0.1, 0.52, 0.72), (0.42, 0.22, 0.0, 0.44, 0.7), (0.05, 0.62, -0.12, 0.36, 0.75),
         (-0.85, 0.12, 0.2, 0.26, 0.7), (0.1, 0.13, 0.42, 0.26, 0.7), (0.92, 0.10, 0.18, 0.22, 0.7),
-        (-0.42, 0.08, 0.52, 0.16, 0.7), (0.62, 0.07, 0.5, 0.14, 0.7), (-1.1, 0.05, -0.1, 0.12, 0.8),
+        (-0.42, 0.08, 0.52, 0.20, 0.7),
     ])  # fmt: skip
 
 
 def rubble_small():
-    return heap("rubble_small", STONE, [
-        (0.0, 0.10, 0.0, 0.22, 0.7), (0.34, 0.07, 0.08, 0.15, 0.7), (-0.30, 0.06, 0.12, 0.13, 0.75),
-        (0.14, 0.05, 0.26, 0.10, 0.7), (-0.52, 0.04, -0.06, 0.09, 0.8), (0.58, 0.03, -0.05, 0.08, 0.8),
+    return heap("rubble_small", LOOSE, [
+        (0.0, 0.12, 0.0, 0.27, 0.7), (0.40, 0.08, 0.08, 0.19, 0.7), (-0.36, 0.07, 0.10, 0.17, 0.75),
     ])  # fmt: skip
 
 

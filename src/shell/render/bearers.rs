@@ -14,6 +14,9 @@ const PLATE: (f32, f32) = (0.26, 0.08);
 /// Half the thickness of a wheel, and how much of its radius its groove has.
 const WHEEL: f32 = 0.10;
 const GROOVE: f32 = 0.78;
+/// The hub of a wheel: share of its radius, how far it stands out in metres, and how much brighter it is.
+const HUB: (f32, f32, f32) = (0.4, 0.05, 0.45);
+const BRIGHT: Paint = super::model::paint(0xc8b89a);
 /// Facets around a wheel.
 const SIDES: usize = 9;
 
@@ -164,6 +167,9 @@ fn wheel(at: Vec3, radius: f32, paint: Paint, model: &mut Model) {
     let groove = [(-1.0, 1.0), (-0.3, GROOVE), (0.3, GROOVE), (1.0, 1.0)];
     let profile = groove.map(|(height, share)| (height * WHEEL, radius * share));
     wheel.lathe(Vec3::ZERO, SIDES, &profile, paint);
+    let hub =
+        [(0.0, HUB.0), (WHEEL + HUB.1, HUB.0)].map(|(height, share)| (height, radius * share));
+    wheel.lathe(Vec3::ZERO, SIDES, &hub, paint.towards(BRIGHT, HUB.2));
     let turn = Mat4::from_rotation_x(std::f32::consts::FRAC_PI_2);
     model.add(&wheel, Mat4::from_translation(at) * turn);
 }

@@ -3,7 +3,9 @@
 //! A front is flat, and is lit as such also where it bends to a rim. Its triangles are cut by a grid of pieces with gaps between them; what shows in the gaps lies a little
 //! deeper and is dark.
 
+use super::inward::Inward;
 use super::model::{Model, Paint, hash};
+use super::terrain::smooth;
 use crate::level::Material;
 use glam::{Vec2, Vec3};
 
@@ -11,6 +13,8 @@ use glam::{Vec2, Vec3};
 pub struct Courses {
     /// Height of a course and length of a piece in it, in metres.
     size: Vec2,
+    /// How much higher than that the courses are, and how much longer their pieces, over and over again.
+    rows: &'static [f32],
     /// Width of the gaps.
     gap: f32,
     /// How far pieces stand out differently.
@@ -19,118 +23,232 @@ pub struct Courses {
     variety: f32,
     /// Whether rivets hold them.
     riveted: bool,
+    /// Whether patches of it are rendered, and others stained.
+    weathered: bool,
 }
 
+/// The rows of what is even, and of masonry; the sum is their number.
+const EVEN: &[f32] = &[1.0];
+const UNEVEN: &[f32] = &[1.0, 0.78, 1.24, 0.88, 1.1];
 /// How deep the gaps are, in metres.
 const GAP_DEPTH: f32 = 0.07;
 /// Brightness at the lower edge of a piece, where the upper edge has 1.
-const LOWER_EDGE: f32 = 0.70;
+const LOWER_EDGE: f32 = 0.74;
 /// Half width and height of a rivet, and how far it is from the corners of its plate.
-const RIVET: (f32, f32) = (0.045, 0.05);
-const RIVET_INSET: f32 = 0.16;
+const RIVET: (f32, f32) = (0.06, 0.06);
+const RIVET_INSET: f32 = 0.2;
+/// The open leaves a wall quiet from this far on, in metres; how much of their differences its pieces lose there.
+const QUIET: f32 = 3.5;
+const CALM: f32 = 0.65;
+/// How dark gaps are: near the open, and where it is quiet.
+const GAPS: [f32; 2] = [0.42, 0.72];
+/// Patches: what of the waves over a wall is render, and what is stained; their colour, and how much of it they have.
+const RENDER: f32 = 0.95;
+const STAIN: f32 = -1.05;
+const RENDERED: Paint = super::model::paint(0xa89a88);
+const STAINED: f32 = 0.80;
 
 /// How pieces of a material lie, so many times larger than usual; nothing for what was not built.
 pub fn courses(material: Material, scale: f32) -> Option<Courses> {
-    let courses = |size: Vec2, gap, relief, variety, riveted| Courses {
+    let courses = |size: Vec2, rows, gap, relief, variety, riveted| Courses {
         size: size * scale,
+        rows,
         gap,
         relief,
         variety,
         riveted,
+        weathered: material == Material::Masonry,
     };
     match material {
         Material::Rock => None,
-        Material::Masonry => Some(courses(Vec2::new(1.30, 0.62), 0.045, 0.10, 0.22, false)),
-        Material::Timber => Some(courses(Vec2::new(2.60, 0.27), 0.035, 0.06, 0.26, false)),
-        Material::Iron => Some(courses(Vec2::new(1.50, 1.15), 0.030, 0.03, 0.14, true)),
+        Material::Masonry => {
+            let size = Vec2::new(1.75, 0.84);
+            Some(courses(size, UNEVEN, 0.06, 0.10, 0.20, false))
+        }
+        Material::Timber => Some(courses(
+            Vec2::new(2.8, 0.34),
+            EVEN,
+            0.045,
+            0.06,
+            0.26,
+            false,
+        )),
+        Material::Iron => Some(courses(
+            Vec2::new(1.60, 1.25),
+            EVEN,
+            0.045,
+            0.03,
+            0.14,
+            true,
+        )),
     }
 }
 
+/// What a front looks like by how far its places are from the open: no triangle of it is seen in that.
+pub struct Tone<'a> {
+    /// Near the open.
+    pub face: Paint,
+    /// Deep within.
+    pub deep: Paint,
+    /// How far places are from it.
+    pub inward: &'a Inward,
+}
+
+impl Tone<'_> {
+    fn paint(&self, p: Vec2) -> Paint {
+        let share = smooth(0.2, 5.0, self.inward.at(p));
+        self.face.towards(self.deep, share)
+    }
+
+    /// How open to the light a place is.
+    fn shade(&self, p: Vec2) -> f32 {
+        1.0 - 0.45 * smooth(0.0, 7.0, self.inward.at(p))
+    }
+
+    /// 0 at the open, 1 where a wall is quiet.
+    fn quiet(&self, p: Vec2) -> f32 {
+        smooth(0.4, QUIET, self.inward.at(p))
+    }
+}
+
+/// What a piece shows.
+#[derive(Clone, Copy, PartialEq)]
+enum Patch {
+    Bare,
+    Rendered,
+    Stained,
+}
+
 impl Courses {
-    /// Adds the front of a triangle, counter-clockwise seen from before it; `shade` is how open it is.
-    pub fn add(
-        &self,
-        triangle: [Vec3; 3],
-        shade: f32,
-        upright: bool,
-        paint: Paint,
-        model: &mut Model,
-    ) {
+    /// Adds the front of a triangle, counter-clockwise seen from before it.
+    pub fn add(&self, triangle: [Vec3; 3], upright: bool, tone: &Tone, model: &mut Model) {
         let joint = Paint {
-            colour: paint.colour * 0.42,
-            ..paint.varied(0.0)
+            colour: tone.face.towards(tone.deep, 0.4).colour,
+            ..tone.face.varied(0.0)
         };
-        model.facet_facing(
-            Vec3::Z,
-            triangle.map(|p| p - Vec3::Z * GAP_DEPTH),
-            [shade; 3],
-            joint,
-        );
+        let dark = |p: Vec3| {
+            let p = p.truncate();
+            tone.shade(p) * (GAPS[0] + (GAPS[1] - GAPS[0]) * tone.quiet(p))
+        };
+        let back = triangle.map(|p| p - Vec3::Z * GAP_DEPTH);
+        model.facet_facing(Vec3::Z, back, triangle.map(dark), joint);
         let local = triangle.map(|p| turned(p.truncate(), upright));
         let front = Front {
             triangle,
             local,
-            shade,
             upright,
-            paint,
+            tone,
         };
         let (low, high) = local
             .iter()
             .fold((Vec2::INFINITY, Vec2::NEG_INFINITY), |(low, high), p| {
                 (low.min(*p), high.max(*p))
             });
-        for row in (low.y / self.size.y).floor() as i32..=(high.y / self.size.y).floor() as i32 {
-            let joint = |n: i32| self.joint(row, n);
-            let first = (low.x / self.size.x).floor() as i32 - 1;
-            let last = (high.x / self.size.x).ceil() as i32 + 1;
+        let mut row = self.row(low.y);
+        while self.bottom(row) < high.y {
+            let length = self.size.x * self.height(row) / self.size.y;
+            let joint = |n: i32| self.joint(row, n, length);
+            let first = (low.x / length).floor() as i32 - 1;
+            let last = (high.x / length).ceil() as i32 + 1;
             for n in first..last {
                 let (left, right) = (joint(n), joint(n + 1));
                 if right > low.x && left < high.x {
-                    let bottom = row as f32 * self.size.y;
                     let piece = Piece {
-                        min: Vec2::new(left, bottom) + self.gap / 2.0,
-                        max: Vec2::new(right, bottom + self.size.y) - self.gap / 2.0,
+                        min: Vec2::new(left, self.bottom(row)),
+                        max: Vec2::new(right, self.bottom(row + 1)),
                         seed: Vec3::new(n as f32, row as f32, 5.0),
                     };
-                    self.add_piece(&piece, &front, model);
+                    self.add_piece(piece, &front, model);
                 }
             }
+            row += 1;
         }
+    }
+
+    /// The height of a course, in metres.
+    fn height(&self, row: i32) -> f32 {
+        self.size.y * self.rows[row.rem_euclid(self.rows.len() as i32) as usize]
+    }
+
+    /// Where a course begins.
+    fn bottom(&self, row: i32) -> f32 {
+        let count = self.rows.len() as i32;
+        let first = row.div_euclid(count) * count;
+        let below: f32 = (first..row).map(|row| self.height(row)).sum();
+        first as f32 * self.size.y + below
+    }
+
+    /// The course at a height.
+    fn row(&self, y: f32) -> i32 {
+        let count = self.rows.len() as i32;
+        let first = (y / (self.size.y * count as f32)).floor() as i32 * count;
+        let after = (first..first + count).find(|row| self.bottom(row + 1) > y);
+        after.unwrap_or(first + count)
     }
 
     /// Where the joint before a piece is: courses are shifted against each other, and no piece has the length of its
     /// neighbour.
-    fn joint(&self, row: i32, n: i32) -> f32 {
+    fn joint(&self, row: i32, n: i32, length: f32) -> f32 {
         let shift = 0.5 * (row.rem_euclid(2)) as f32;
-        let uneven = 0.36 * (hash(Vec3::new(n as f32, row as f32, 6.0), 400) - 0.5);
-        (n as f32 + shift + uneven) * self.size.x
+        let uneven = 0.40 * (hash(Vec3::new(n as f32, row as f32, 6.0), 400) - 0.5);
+        (n as f32 + shift + uneven) * length
+    }
+
+    /// What a piece shows: waves of several metres over the wall decide.
+    fn patch(&self, at: Vec2, quiet: f32) -> Patch {
+        let wave = (at.x * 0.31 + 1.7 * (at.y * 0.23).sin()).sin()
+            + (at.y * 0.37 + 1.3 * (at.x * 0.19).sin()).sin();
+        match wave {
+            _ if !self.weathered => Patch::Bare,
+            _ if wave > RENDER && quiet > 0.0 => Patch::Rendered,
+            _ if wave < STAIN => Patch::Stained,
+            _ => Patch::Bare,
+        }
     }
 
     /// The part of a piece that lies in a triangle.
-    fn add_piece(&self, piece: &Piece, front: &Front, model: &mut Model) {
+    fn add_piece(&self, piece: Piece, front: &Front, model: &mut Model) {
+        let middle = front.place((piece.min + piece.max) / 2.0, 0.0).truncate();
+        let quiet = front.tone.quiet(middle);
+        let patch = self.patch(middle, quiet);
+        let piece = match patch {
+            Patch::Rendered => piece,
+            Patch::Bare | Patch::Stained => piece.within(self.gap / 2.0),
+        };
         let outline = piece.cut(front.local);
         if outline.len() < 3 {
             return;
         }
-        let chance = |salt: u32| hash(piece.seed, 401 + salt) - 0.5;
+        let alive = match patch {
+            Patch::Rendered => 0.2,
+            Patch::Bare | Patch::Stained => 1.0 - CALM * quiet,
+        };
+        let chance = |salt: u32| (hash(piece.seed, 401 + salt) - 0.5) * alive;
         let out = self.relief * chance(0);
         let warmth = Vec3::new(1.0 + 0.10 * chance(2), 1.0, 1.0 - 0.10 * chance(2));
+        let base = front.tone.paint(middle);
+        let base = match patch {
+            Patch::Bare => base.colour,
+            Patch::Rendered => base.towards(RENDERED, 0.5).colour,
+            Patch::Stained => base.colour * STAINED,
+        };
         let paint = Paint {
-            colour: front.paint.colour * (1.0 + 2.0 * self.variety * chance(1)) * warmth,
-            ..front.paint.varied(0.0)
+            colour: base * (1.0 + 2.0 * self.variety * chance(1)) * warmth,
+            ..front.tone.face.varied(0.0)
+        };
+        let lower = match patch {
+            Patch::Rendered => 1.0,
+            Patch::Bare | Patch::Stained => LOWER_EDGE,
         };
         let light = |p: Vec2| {
             let share = (p.y - piece.min.y) / (piece.max.y - piece.min.y);
-            front.shade * (LOWER_EDGE + (1.0 - LOWER_EDGE) * share.clamp(0.0, 1.0))
+            let at = front.place(p, 0.0).truncate();
+            front.tone.shade(at) * (lower + (1.0 - lower) * share.clamp(0.0, 1.0))
         };
         for i in 2..outline.len() {
             let part = [outline[0], outline[i - 1], outline[i]];
-            model.facet_facing(
-                Vec3::Z,
-                part.map(|p| front.place(p, out)),
-                part.map(light),
-                paint,
-            );
+            let places = part.map(|p| front.place(p, out));
+            model.facet_facing(Vec3::Z, places, part.map(light), paint);
         }
         if self.riveted {
             let held = piece.corners(RIVET_INSET).into_iter();
@@ -139,7 +257,8 @@ impl Courses {
                 let ring = ring.map(|(x, y)| front.place(at + Vec2::new(x, y) * RIVET.0, out));
                 let tip = front.place(at, out + RIVET.1);
                 for i in 0..4 {
-                    model.facet([ring[i], ring[(i + 1) % 4], tip], [front.shade; 3], paint);
+                    let sides = [ring[i], ring[(i + 1) % 4], tip];
+                    model.facet(sides, [light(at); 3], paint);
                 }
             }
         }
@@ -152,16 +271,15 @@ fn turned(p: Vec2, upright: bool) -> Vec2 {
 }
 
 /// A triangle of a front.
-struct Front {
+struct Front<'a> {
     triangle: [Vec3; 3],
     /// As the courses have it.
     local: [Vec2; 3],
-    shade: f32,
     upright: bool,
-    paint: Paint,
+    tone: &'a Tone<'a>,
 }
 
-impl Front {
+impl Front<'_> {
     /// The place on the triangle's plane, so far out of it towards the viewer.
     fn place(&self, local: Vec2, out: f32) -> Vec3 {
         let p = if self.upright {
@@ -185,6 +303,15 @@ struct Piece {
 }
 
 impl Piece {
+    /// The same without a margin.
+    fn within(self, margin: f32) -> Piece {
+        Piece {
+            min: self.min + margin,
+            max: self.max - margin,
+            ..self
+        }
+    }
+
     /// The part of a triangle within the piece, counter-clockwise as the triangle (I. Sutherland, G. Hodgman 1974).
     fn cut(&self, triangle: [Vec2; 3]) -> Vec<Vec2> {
         let sides = [
@@ -254,13 +381,12 @@ mod tests {
             for upright in [false, true] {
                 let courses = courses(material, 1.0).unwrap();
                 let mut model = Model::default();
-                courses.add(
-                    triangle.map(|p| p.extend(1.0)),
-                    1.0,
-                    upright,
-                    paint(0x808080),
-                    &mut model,
-                );
+                let tone = Tone {
+                    face: paint(0x808080),
+                    deep: paint(0x404040),
+                    inward: &Inward::default(),
+                };
+                courses.add(triangle.map(|p| p.extend(1.0)), upright, &tone, &mut model);
                 let pieces = area(&model, 1.0 - 0.6 * GAP_DEPTH.max(courses.relief)) / whole;
                 assert!((0.75..0.98).contains(&pieces), "{material:?}: {pieces}");
                 let back = area(&model, 0.0) / whole - pieces;
@@ -268,5 +394,20 @@ mod tests {
             }
         }
         assert!(courses(Material::Rock, 1.0).is_none());
+    }
+
+    #[test]
+    fn every_height_has_its_course_and_every_course_follows_on_the_one_before() {
+        let courses = courses(Material::Masonry, 1.0).unwrap();
+        for step in -400..400 {
+            let y = step as f32 * 0.07;
+            let row = courses.row(y);
+            let (bottom, top) = (courses.bottom(row), courses.bottom(row + 1));
+            assert!(
+                bottom <= y + 1e-4 && y < top + 1e-4,
+                "{y}: {bottom} to {top}"
+            );
+            assert!((top - bottom - courses.height(row)).abs() < 1e-4);
+        }
     }
 }

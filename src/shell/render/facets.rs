@@ -23,7 +23,7 @@ pub struct Look {
 }
 
 /// How much longer edges may be within what was built: its fronts are flat.
-const BUILT: f64 = 2.2;
+const BUILT: f64 = 4.0;
 
 /// No neighbour: free space.
 pub const NONE: usize = usize::MAX;

@@ -14,8 +14,13 @@ use glam::{Mat4, Vec2, Vec3, vec3};
 /// How far planks and belts reach back, in metres.
 const BACK: f32 = -0.85;
 /// About how far a belt's arrows are from each other, and how far before the plane of play.
-const ARROW_GAP: f32 = 0.75;
+const ARROW_GAP: f32 = 0.9;
 const ARROW_DEPTH: f32 = 0.84;
+/// Half the length and half the height of their chevrons, and their height and that of the skirt that they are painted on, both
+/// from the band down, in metres.
+const CHEVRON: [f32; 2] = [0.2, 0.15];
+const PAINTED: f32 = 0.26;
+const SKIRTS: [f32; 2] = [0.07, 0.45];
 /// Where ladders stand, just behind the hero.
 const BEHIND: f32 = -0.5;
 /// Where lodestones and gates stand, behind the hero.
@@ -31,7 +36,8 @@ const PLANK: Paint = paint(0xa47d52).varied(0.16);
 const GRATE: Paint = paint(0x7d6258).varied(0.10);
 const RAIL: Paint = paint(0x6d4d36).varied(0.10);
 const IRON: Paint = paint(0x4b4d55).varied(0.08);
-const ARROW: Paint = paint(0xd6dbe0).glowing(0.4);
+const SKIRT: Paint = paint(0x37343a).varied(0.06);
+const CHALK: Paint = paint(0xcfc2a2).varied(0.06);
 
 /// What is built of features.
 #[derive(Default)]
@@ -128,7 +134,7 @@ fn solid(kit: &Kit, feature: &Feature, model: &mut Model) {
 fn belt(a: Vec2, b: Vec2, model: &mut Model) {
     let (a, b) = if a.x < b.x { (a, b) } else { (b, a) };
     for end in [a, b] {
-        let middle = end.extend(0.79) - Vec3::Y * 0.26;
+        let middle = end.extend(ARROW_DEPTH - 0.02) - Vec3::Y * PAINTED;
         for (radius, out, paint) in [(0.24, 0.0, IRON), (0.15, 0.05, GRATE), (0.06, 0.09, RAIL)] {
             let rim = (0..8).map(|i| {
                 let (sin, cos) = (std::f32::consts::TAU * i as f32 / 8.0).sin_cos();
@@ -137,14 +143,33 @@ fn belt(a: Vec2, b: Vec2, model: &mut Model) {
             model.cap(&rim.collect::<Vec<_>>(), paint);
         }
     }
+    let low = |p: Vec2, down: f32| p.extend(ARROW_DEPTH - 0.03) - Vec3::Y * down;
+    let [upper, lower] = SKIRTS;
+    let skirt = [low(a, lower), low(b, lower), low(b, upper), low(a, upper)];
+    model.quad(skirt, SKIRT);
     let up = Vec2::new(0.0, 0.02);
     let corners = [(a, EDGE), (b, EDGE), (b, BACK), (a, BACK)];
     model.quad(corners.map(|(p, z)| (p + up).extend(z)), IRON);
 }
 
+/// A chevron at the origin that points to the right (1) or to the left (-1): two painted bars.
+fn chevron(way: f32) -> Model {
+    let mut model = Model::default();
+    let [half, high] = CHEVRON;
+    for side in [1.0, -1.0] {
+        let at = |x: f32, y: f32| Vec3::new(x * way, y * side, 0.0);
+        let bar = [at(half, 0.0), at(0.0, high), at(-half, high), at(0.0, 0.0)];
+        match side * way > 0.0 {
+            true => model.quad(bar, CHALK),
+            false => model.quad([bar[0], bar[3], bar[2], bar[1]], CHALK),
+        }
+    }
+    model
+}
+
 /// The arrows of a belt: one model, and the way on which they follow each other.
 pub struct Arrows {
-    /// An arrow at the origin, pointing where the belt runs, and a cleat on the band above it.
+    /// A chevron at the origin, pointing where the belt runs, and a cleat on the band above it.
     pub model: Model,
     /// Where the first one starts.
     pub from: Vec3,
@@ -167,21 +192,12 @@ pub fn arrows(feature: &Feature) -> Vec<Arrows> {
         let (a, b) = if a.x < b.x { (a, b) } else { (b, a) };
         let count = (a.distance(b) / ARROW_GAP).max(1.0) as u32;
         let step = (b - a) / count as f32;
-        let mut model = Model::default();
-        let (x, y) = (0.2 * speed.signum(), 0.13);
-        let tip = Vec3::X * x;
-        let [high, low] = [y, -y].map(|y| Vec3::new(-x, y, 0.0));
-        let corners = if x > 0.0 {
-            [tip, high, low]
-        } else {
-            [tip, low, high]
-        };
-        model.facet(corners, [1.0; 3], ARROW);
-        let cleat = |z: f32| Vec3::new(0.0, 0.29, z - ARROW_DEPTH);
-        model.beam(cleat(BACK + 0.1), cleat(EDGE - 0.04), 0.035, RAIL);
+        let mut model = chevron(speed.signum());
+        let cleat = |z: f32| Vec3::new(0.0, PAINTED + 0.03, z - ARROW_DEPTH);
+        model.beam(cleat(BACK + 0.1), cleat(EDGE - 0.04), 0.05, RAIL);
         Arrows {
             model,
-            from: a.extend(ARROW_DEPTH) - Vec3::Y * 0.26,
+            from: a.extend(ARROW_DEPTH) - Vec3::Y * PAINTED,
             step: step.extend(0.0),
             count,
             pace: speed / step.length(),
@@ -229,8 +245,8 @@ fn planks(feature: &Feature, model: &mut Model) {
     let corners: Vec<Vec2> = outline(feature).collect();
     for pair in corners.windows(2) {
         let (a, b) = (pair[0], pair[1]);
-        let down = Vec3::from(((b - a).normalize_or_zero().perp() * -0.09, 0.0));
-        let count = (a.distance(b) / 0.36).round().max(1.0);
+        let down = Vec3::from(((b - a).normalize_or_zero().perp() * -0.11, 0.0));
+        let count = (a.distance(b) / 0.48).round().max(1.0);
         for i in 0..count as u32 {
             let share = |end: f32| (i as f32 + end) / count;
             let (from, to) = (on(a, b, share(0.06), 0.0), on(a, b, share(0.94), 0.0));
@@ -243,8 +259,8 @@ fn planks(feature: &Feature, model: &mut Model) {
             model.band(&back, &front, board);
         }
         for z in [EDGE - 0.22, BACK + 0.2] {
-            let at = |p: Vec2| p.extend(z) + down * 1.8;
-            model.beam(at(a), at(b), 0.055, runner);
+            let at = |p: Vec2| p.extend(z) + down * 1.6;
+            model.beam(at(a), at(b), 0.07, runner);
         }
     }
 }

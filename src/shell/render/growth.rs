@@ -8,8 +8,8 @@ use glam::{Vec2, Vec3};
 /// Least height of the ground's unit normal on which grass holds.
 const FLAT: f32 = 0.86;
 /// Most tufts on a metre, and blades in a tuft.
-const TUFTS: f32 = 1.5;
-const BLADES: u32 = 5;
+const TUFTS: f32 = 1.1;
+const BLADES: u32 = 3;
 /// Depths between which it grows.
 const DEPTHS: (f32, f32) = (-0.85, 0.42);
 
@@ -44,12 +44,12 @@ fn add_tuft(a: Vec2, b: Vec2, salt: u32, model: &mut Model) {
     let chance = |n: u32| hash(a.extend(1.0), 101 + salt + n);
     let depth = DEPTHS.0 + (DEPTHS.1 - DEPTHS.0) * chance(0);
     let foot = a.lerp(b, chance(1)).extend(depth);
-    let size = 0.14 + 0.20 * chance(2);
+    let size = 0.18 + 0.20 * chance(2);
     for blade in 0..BLADES {
         let fan = (blade as f32 + chance(3 + blade)) / BLADES as f32 - 0.5;
-        let root = foot + Vec3::new(fan * 0.16, -0.03, 0.0);
+        let root = foot + Vec3::new(fan * 0.2, -0.03, 0.0);
         let tip = root + Vec3::new(fan * 0.9, 1.0 - fan.abs() * 0.8, 0.25 * chance(9)) * size;
-        let across = Vec3::new(0.028, 0.0, 0.012 - 0.024 * chance(8));
+        let across = Vec3::new(0.055, 0.0, 0.02 - 0.04 * chance(8));
         let paint = ROOT.towards(TIP, 0.3 + 0.7 * chance(10 + blade));
         model.blade([root - across, root + across, tip], paint);
     }

@@ -4,9 +4,11 @@
 //! picture shows what the mover stands on; further back they swell into the open, which makes ledges of floors and caves
 //! of passages.
 
-use super::courses::courses;
+use super::courses::{Tone, courses};
+use super::edging;
 use super::facets::{Facets, Look, next};
 use super::growth;
+use super::inward::Inward;
 use super::model::{Model, Paint, hash, paint};
 use super::rims::Rims;
 use crate::game::Stage;
@@ -105,13 +107,19 @@ fn built_front(look: Look) -> f32 {
     EDGE + rim(look) as f32
 }
 
-/// The solid faces of a mesh of outlines with the look of the last solid that covers them.
+/// The solid faces of a mesh of outlines with the look of the last solid that covers them; but masonry that is sunk in rock
+/// is not seen there: it stands on the rock, and no seam runs through it.
 pub fn solids(mesh: &Mesh, stage: &Stage) -> Vec<([Point; 3], Look)> {
     let look = |face| {
-        let mut covers = mesh.cover(face).iter().rev();
-        let solid = covers.find(|&&id| mesh.kind_of(id) == Some(Kind::Solid));
-        let feature = solid.and_then(|&id| stage.feature(id));
-        feature.map_or_else(Look::default, look_of)
+        let covers = mesh.cover(face).iter().rev();
+        let solids = covers.filter(|&&id| mesh.kind_of(id) == Some(Kind::Solid));
+        let features: Vec<&Feature> = solids.filter_map(|&id| stage.feature(id)).collect();
+        let rock = features.iter().find(|f| f.material == Material::Rock);
+        let seen = match features.first() {
+            Some(top) if top.material == Material::Masonry => rock.or(Some(top)),
+            top => top,
+        };
+        seen.map_or_else(Look::default, |feature| look_of(feature))
     };
     let solid = mesh.faces().filter(|&face| mesh.is_solid(face));
     solid.map(|face| (mesh.corners(face), look(face))).collect()
@@ -176,6 +184,7 @@ fn area(facets: &Facets) -> f64 {
 /// cooler with the distance from the open.
 fn add_front(facets: &Facets, rims: &Rims, model: &mut Model) {
     let depths = facets.depths();
+    let inward = Inward::of(facets);
     let scale = (area(facets) as f32 / COURSED).sqrt().max(1.0);
     let at = |v: usize| facets.points[v].as_vec2();
     for t in 0..facets.look.len() {
@@ -203,8 +212,12 @@ fn add_front(facets: &Facets, rims: &Rims, model: &mut Model) {
         });
         let is_front = !is_rim || is_wide || is_across;
         if let (Some(courses), true) = (courses(look.material, scale), is_front) {
-            let shade = 1.0 - 0.45 * smooth(0.0, 7.0, mean);
-            courses.add(corners, shade, look.upright, face, model);
+            let tone = Tone {
+                face: colours.face,
+                deep: colours.deep,
+                inward: &inward,
+            };
+            courses.add(corners, look.upright, &tone, model);
             continue;
         }
         let normal = (corners[1] - corners[0])
@@ -223,6 +236,12 @@ fn add_front(facets: &Facets, rims: &Rims, model: &mut Model) {
             },
         );
     }
+    let masonry = Look {
+        material: Material::Masonry,
+        ..Look::default()
+    };
+    let paint = palette(masonry).face;
+    edging::add(facets, rims, &inward, built_front(masonry), paint, model);
 }
 
 /// The least height of a triangle, in metres.
@@ -342,7 +361,7 @@ fn weathered(base: Paint, colours: &Palette, normal: Vec3) -> Paint {
 }
 
 /// 0 below `from`, 1 above `to`, without a bend at either.
-fn smooth(from: f32, to: f32, value: f32) -> f32 {
+pub(super) fn smooth(from: f32, to: f32, value: f32) -> f32 {
     let t = ((value - from) / (to - from)).clamp(0.0, 1.0);
     t * t * (3.0 - 2.0 * t)
 }
