@@ -1,7 +1,7 @@
 //! Terrain that moves: platforms, lifts, doors, crushers.
 
-use super::Feature;
 use super::feature::is_default;
+use super::{Feature, Material};
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
@@ -21,6 +21,29 @@ pub struct Mover {
     /// What sets it going.
     #[serde(default, skip_serializing_if = "is_default")]
     pub starts: Starts,
+}
+
+/// How much more up than sideways a way must go to count as upright.
+const UPRIGHT: f64 = 3.0;
+
+impl Mover {
+    /// The offsets between which it goes, in order; the way back to the beginning included.
+    pub fn legs(&self) -> impl Iterator<Item = (DVec2, DVec2)> + '_ {
+        let stops = || self.path.iter().map(|stop| stop.at);
+        let back = match self.repeat {
+            Repeat::Loop => stops().next_back().zip(stops().next()),
+            _ => None,
+        };
+        stops().zip(stops().skip(1)).chain(back)
+    }
+
+    /// The parts that crush: the iron of what goes up and down.
+    pub fn crushers(&self) -> impl Iterator<Item = &Feature> {
+        let upright = |way: DVec2| way != DVec2::ZERO && way.y.abs() >= UPRIGHT * way.x.abs();
+        let stamps = self.legs().any(|(from, to)| upright(to - from));
+        let parts = self.features.iter();
+        parts.filter(move |feature| stamps && feature.material == Material::Iron)
+    }
 }
 
 /// A stop of a path, and the way from it to the next one.

@@ -1,6 +1,6 @@
 //! High contrast: the hero and everything deadly in bright outlines over the scene, for those to whom shades say too little.
 
-use super::render::{Line, crushers};
+use super::render::Line;
 use crate::game::{Shape, View};
 use crate::geom::Collider;
 use crate::level::{Feature, Kind, Level};
@@ -34,7 +34,7 @@ pub fn outline(
         );
     }
     for (mover, &offset) in level.movers.iter().zip(offsets) {
-        for feature in hazards(&mover.features).chain(crushers(mover)) {
+        for feature in hazards(&mover.features).chain(mover.crushers()) {
             ring(
                 feature.outline.iter().copied(),
                 offset,

@@ -245,7 +245,7 @@ fn hear_air(moment: &Moment, loops: &mut [Level; LOOPS]) {
     let speed = now.velocity.length();
     let pan = moment.ear.pan(now.position) as f32 * OWN_PAN;
     let mut set = |which: Loop, gain: f64, pitch: f64| {
-        loops[which as usize] = Level {
+        loops[which.slot()] = Level {
             gain: gain as f32,
             pan,
             pitch: pitch as f32,

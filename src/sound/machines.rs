@@ -1,5 +1,6 @@
 //! What moves by itself: motors and chains while it does, a clunk or a slam when it starts or stops; belts.
 
+use super::crew::Crew;
 use super::ear::{Chance, nearest};
 use super::{Cue, LOOPS, Level, Loop, Moment, Sound};
 use crate::level::{self, Kind, Repeat, Starts};
@@ -21,13 +22,14 @@ const HANGS: f64 = 0.4;
 
 /// A box in the world.
 #[derive(Clone, Copy, Debug)]
-struct Bounds {
+pub struct Bounds {
     min: DVec2,
     max: DVec2,
 }
 
 impl Bounds {
-    fn of<'a>(features: impl IntoIterator<Item = &'a level::Feature>) -> Bounds {
+    /// Of some features, as they are drawn.
+    pub fn of<'a>(features: impl IntoIterator<Item = &'a level::Feature>) -> Bounds {
         let corners = features.into_iter().flat_map(|f| &f.outline);
         let empty = Bounds {
             min: DVec2::INFINITY,
@@ -40,7 +42,7 @@ impl Bounds {
     }
 
     /// Its point nearest to another, when it is so far from where it was drawn.
-    fn nearest(self, offset: DVec2, to: DVec2) -> DVec2 {
+    pub fn nearest(self, offset: DVec2, to: DVec2) -> DVec2 {
         nearest(self.min + offset, self.max + offset, to)
     }
 }
@@ -52,6 +54,9 @@ pub struct Machines {
     movers: Vec<(Bounds, bool)>,
     /// The places of the belts, and their speeds.
     belts: Vec<(Bounds, f64)>,
+    /// Whose motors and belts are heard.
+    motors: Crew<{ Loop::Motor.voices() }>,
+    running: Crew<{ Loop::Belt.voices() }>,
     chance: Chance,
 }
 
@@ -67,50 +72,62 @@ impl Machines {
                 .map(|m| (Bounds::of(&m.features), is_door(m)))
                 .collect(),
             belts: belts.map(|f| (Bounds::of([f]), f.conveyor)).collect(),
+            motors: Crew::default(),
+            running: Crew::default(),
             chance: Chance::default(),
         }
     }
 
     /// The sounds of a tick.
     pub fn hear(&mut self, moment: &Moment, cues: &mut Vec<Cue>, loops: &mut [Level; LOOPS]) {
-        let Machines {
-            movers,
-            belts,
-            chance,
-        } = self;
-        for (mover, &(bounds, is_door)) in moment.world.land(0).movers.iter().zip(&*movers) {
-            hear_nodes(mover, bounds, is_door, moment, chance, cues);
-            if !is_door {
-                hear_motor(mover, bounds, moment, loops);
-            }
+        let all = &moment.world.land(0).movers;
+        for (mover, &(bounds, is_door)) in all.iter().zip(&self.movers) {
+            hear_nodes(mover, bounds, is_door, moment, &mut self.chance, cues);
         }
-        for (bounds, speed) in belts {
-            let place = bounds.nearest(DVec2::ZERO, moment.ear.at);
-            let share = (speed.abs() / FAST).min(1.0);
-            let level = moment
-                .ear
-                .level(place, 0.5 + 0.5 * share, 0.8 + 0.4 * share);
-            loops[Loop::Belt as usize].raise(level);
+        let motors = all.iter().zip(&self.movers).enumerate();
+        let motors = motors.filter(|(_, (_, (_, is_door)))| !is_door);
+        let levels = motors.map(|(i, (mover, (bounds, _)))| (i, motor(mover, *bounds, moment)));
+        let seated = self.motors.seat(levels, |(motor, _)| motor.gain);
+        for (slot, (motor, _)) in Loop::Motor.slots().zip(seated) {
+            loops[slot] = motor;
+        }
+        for (slot, (_, chain)) in Loop::Chain.slots().zip(seated) {
+            loops[slot] = chain;
+        }
+        let belts = self.belts.iter().enumerate();
+        let levels = belts.map(|(i, (bounds, speed))| (i, belt(*bounds, *speed, moment)));
+        let seated = self.running.seat(levels, |belt| belt.gain);
+        for (slot, belt) in Loop::Belt.slots().zip(seated) {
+            loops[slot] = belt;
         }
     }
 }
 
-/// The louder and higher, the faster it moves.
-fn hear_motor(mover: &Mover, bounds: Bounds, moment: &Moment, loops: &mut [Level; LOOPS]) {
+/// Slats over rollers: the louder and higher, the faster they run.
+fn belt(bounds: Bounds, speed: f64, moment: &Moment) -> Level {
+    let place = bounds.nearest(DVec2::ZERO, moment.ear.at);
+    let share = (speed.abs() / FAST).min(1.0);
+    moment
+        .ear
+        .level(place, 0.5 + 0.5 * share, 0.8 + 0.4 * share)
+}
+
+/// A motor and its chain: the louder and higher, the faster it moves.
+fn motor(mover: &Mover, bounds: Bounds, moment: &Moment) -> (Level, Level) {
     let (now, ear) = (moment.now.time, moment.ear);
     let piece = mover.piece_at(now);
     let velocity = piece.velocity(now);
     let share = (velocity.length() / FAST).min(1.0);
     if share == 0.0 {
-        return;
+        return (Level::SILENT, Level::SILENT);
     }
     let place = bounds.nearest(piece.offset(now), ear.at);
     let motor = ear.level(place, share.sqrt(), 0.75 + 0.5 * share);
-    loops[Loop::Motor as usize].raise(motor);
-    if velocity.y.abs() > HANGS * velocity.length() {
-        let chain = ear.level(place, share.sqrt(), 0.6 + 0.7 * share);
-        loops[Loop::Chain as usize].raise(chain);
-    }
+    let chain = match velocity.y.abs() > HANGS * velocity.length() {
+        true => ear.level(place, share.sqrt(), 0.6 + 0.7 * share),
+        false => Level::SILENT,
+    };
+    (motor, chain)
 }
 
 /// What is heard of the changes of speed within the tick, each at its own time.

@@ -5,8 +5,9 @@
 //! run, so that a replay sounds the same every time; the shell plays it, and may leave it out.
 //!
 //! In reading order: [`table`] (every sound there is), [`ear`] (how loud is what is how far away?), [`hero`] (steps, landings,
-//! cape), [`machines`] (what moves), [`place`] (wind, water, lamps), [`score`] (music), [`crowd`] (not all at once).
+//! cape), [`machines`] (what moves), [`crew`] (which of them are heard), [`place`] (wind, water, lamps), [`score`] (music), [`crowd`] (not all at once).
 
+pub mod crew;
 pub mod crowd;
 pub mod ear;
 pub mod hero;
@@ -79,7 +80,7 @@ impl Level {
 pub struct Heard {
     /// What begins, in order of time.
     pub cues: Vec<Cue>,
-    /// Of every loop, in the order of [`Loop`].
+    /// Of every voice of every loop, at their [slots](Loop::slots).
     pub loops: [Level; LOOPS],
     /// The music.
     pub music: Music,
@@ -146,7 +147,7 @@ impl Soundscape {
         self.hero.hear(moment, cues, loops);
         self.machines.hear(moment, cues, loops);
         self.place.hear(moment, cues, loops);
-        *music = self.score.hear(moment);
+        *music = self.score.hear(moment, cues);
         self.crowd.thin_out(cues);
         &self.heard
     }

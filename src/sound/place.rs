@@ -76,10 +76,10 @@ impl Place {
             water + (wanted.1 - water) * share,
         );
         self.air = Some(air);
-        loops[Loop::Wind as usize] = Level::of(air.0);
+        loops[Loop::Wind.slot()] = Level::of(air.0);
         let surface = moment.world.stage().level.bottom + WATER;
         let below = DVec2::new(moment.ear.at.x, surface.min(moment.ear.at.y));
-        loops[Loop::Water as usize] = Level::of(air.1 * moment.ear.gain(below));
+        loops[Loop::Water.slot()] = Level::of(air.1 * moment.ear.gain(below));
         self.hear_lamps(moment, loops);
         if mood == Mood::Depths {
             self.hear_drops(moment, cues);
@@ -91,7 +91,7 @@ impl Place {
         let hero = moment.now.position;
         let far = |lamp: &&DVec2| lamp.distance_squared(hero);
         let nearest = self.lamps.iter().min_by(|a, b| far(a).total_cmp(&far(b)));
-        let hum = &mut loops[Loop::Hum as usize];
+        let hum = &mut loops[Loop::Hum.slot()];
         *hum = Level::of(OWN_LAMP);
         if let Some(&lamp) = nearest {
             // Heard as if it were farther away than it is.

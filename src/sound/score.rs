@@ -1,8 +1,8 @@
 //! The music: which piece the place has, and how loud its layers are, by what one does and what is near.
 
-use super::ear::nearest;
+use super::machines::Bounds;
 use super::place::mood;
-use super::{Layer, Moment, Piece};
+use super::{Cue, Layer, Moment, Piece, Sound};
 use crate::level::{self, Kind, Mood};
 use glam::DVec2;
 
@@ -19,6 +19,8 @@ const RELIEF: f64 = 5.0;
 /// What a death leaves of the music, and in how many seconds it comes back.
 const MOURNING: f64 = 0.25;
 const RECOVERY: f64 = 3.0;
+/// What the bells of a checkpoint or a hidden place leave of it.
+const TOLLING: f64 = 0.5;
 /// What the goal leaves of it, so that its bells are heard.
 const TRIUMPH: f64 = 0.2;
 
@@ -45,8 +47,10 @@ impl Music {
 /// What the music remembers.
 #[derive(Clone, Debug)]
 pub struct Score {
-    /// Boxes of the level that kill.
-    hazards: Vec<(DVec2, DVec2)>,
+    /// What kills and stands still.
+    hazards: Vec<Bounds>,
+    /// What kills and moves, by the number of its mover, as it is drawn: hazards, and iron that stamps.
+    moving: Vec<(usize, Bounds)>,
     busy: f64,
     danger: f64,
     duck: f64,
@@ -55,14 +59,17 @@ pub struct Score {
 impl Score {
     /// Of a level.
     pub fn new(level: &level::Level) -> Score {
-        let kills = level.features.iter().filter(|f| f.kind == Kind::Hazard);
-        let bounds = |f: &level::Feature| {
-            let ends = (DVec2::INFINITY, DVec2::NEG_INFINITY);
-            let grow = |(min, max): (DVec2, DVec2), &p: &DVec2| (min.min(p), max.max(p));
-            f.outline.iter().fold(ends, grow)
-        };
+        let kills = |f: &&level::Feature| f.kind == Kind::Hazard;
+        let hazards = level.features.iter().filter(kills);
+        let movers = level.movers.iter().enumerate();
+        let moving = movers.flat_map(|(i, mover)| {
+            let parts = mover.features.iter().filter(kills);
+            let parts = parts.chain(mover.crushers());
+            parts.map(move |f| (i, Bounds::of([f])))
+        });
         Score {
-            hazards: kills.map(bounds).collect(),
+            hazards: hazards.map(|f| Bounds::of([f])).collect(),
+            moving: moving.collect(),
             busy: 0.0,
             danger: 0.0,
             duck: 1.0,
@@ -70,18 +77,22 @@ impl Score {
     }
 
     /// The music after a tick.
-    pub fn hear(&mut self, moment: &Moment) -> Music {
+    pub fn hear(&mut self, moment: &Moment, cues: &[Cue]) -> Music {
         let (now, span) = (moment.now, moment.span().max(0.0));
         let follow = |value: &mut f64, wanted: f64, rise: f64, fall: f64| {
             let time = if wanted > *value { rise } else { fall };
             *value += (wanted - *value) * (1.0 - (-span / time).exp());
         };
         let pace = (now.velocity.length() / BUSY).min(1.0);
-        let near = self.danger_at(now.position);
+        let near = self.danger(moment);
         follow(&mut self.busy, pace, WAKE, REST);
         follow(&mut self.danger, near, ALARM, RELIEF);
         if now.deaths > moment.before.deaths {
             self.duck = MOURNING;
+        }
+        let tolls = |cue: &Cue| matches!(cue.sound, Sound::Checkpoint | Sound::Secret);
+        if cues.iter().any(tolls) {
+            self.duck = self.duck.min(TOLLING);
         }
         let whole = if now.won_at.is_some() { TRIUMPH } else { 1.0 };
         follow(&mut self.duck, whole, RECOVERY, 0.3);
@@ -104,14 +115,20 @@ impl Score {
         }
     }
 
-    /// How near danger is: 0 far, 1 close by.
-    fn danger_at(&self, hero: DVec2) -> f64 {
-        let distance = |&(min, max): &(DVec2, DVec2)| nearest(min, max, hero).distance(hero);
-        let nearest = self
-            .hazards
-            .iter()
-            .map(distance)
-            .fold(f64::INFINITY, f64::min);
-        ((DANGER.1 - nearest) / (DANGER.1 - DANGER.0)).clamp(0.0, 1.0)
+    /// How near danger is: 0 far, 1 close by. Several dangers are more than one, and never more than 1.
+    fn danger(&self, moment: &Moment) -> f64 {
+        let (hero, time) = (moment.now.position, moment.now.time);
+        let movers = &moment.world.land(0).movers;
+        let offset = |i: usize| {
+            let mover = movers.get(i);
+            mover.map_or(DVec2::ZERO, |mover| mover.piece_at(time).offset(time))
+        };
+        let still = self.hazards.iter().map(|&b| (b, DVec2::ZERO));
+        let moving = self.moving.iter().map(|&(i, b)| (b, offset(i)));
+        let safety = still.chain(moving).map(|(bounds, offset)| {
+            let distance = bounds.nearest(offset, hero).distance(hero);
+            1.0 - ((DANGER.1 - distance) / (DANGER.1 - DANGER.0)).clamp(0.0, 1.0)
+        });
+        1.0 - safety.product::<f64>()
     }
 }

@@ -41,13 +41,13 @@ macro_rules! sounds {
 
 sounds! {
     /// A step on rock.
-    StepRock = "step_rock", 6, -7.0;
+    StepRock = "step_rock", 6, -5.0;
     /// A step on dressed stone.
-    StepMasonry = "step_masonry", 6, -7.0;
+    StepMasonry = "step_masonry", 6, -5.0;
     /// A step on planks.
-    StepTimber = "step_timber", 6, -6.0;
+    StepTimber = "step_timber", 6, -4.5;
     /// A step on iron.
-    StepIron = "step_iron", 6, -8.0;
+    StepIron = "step_iron", 6, -6.0;
     /// Down from a small height.
     LandSoft = "land_soft", 4, -5.0;
     /// Down from a great height.
@@ -110,9 +110,9 @@ impl Sound {
     }
 }
 
-/// Writes the loops: an enum, and their files' names.
+/// Writes the loops: an enum, their files' names, their loudness, and from how many places at once each may be heard.
 macro_rules! loops {
-    ($($(#[$about:meta])+ $sound:ident = $file:literal, $decibels:literal;)+) => {
+    ($($(#[$about:meta])+ $sound:ident = $file:literal, $decibels:literal, $voices:literal;)+) => {
         /// A sound that goes on, louder and softer.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
         pub enum Loop {
@@ -136,33 +136,61 @@ macro_rules! loops {
                     $(Loop::$sound => $decibels,)+
                 }
             }
+
+            /// From how many places at once it may be heard.
+            pub const fn voices(self) -> usize {
+                match self {
+                    $(Loop::$sound => $voices,)+
+                }
+            }
         }
     };
 }
 
 loops! {
     /// Wind over stone, with gusts.
-    Wind = "wind", -4.0;
+    Wind = "wind", -4.0, 1;
     /// Air that rushes past.
-    Fall = "fall", -2.0;
+    Fall = "fall", -2.0, 1;
     /// The cape in it.
-    Cape = "cape", -9.0;
+    Cape = "cape", -9.0, 1;
     /// Boots and a glove along a wall.
-    Slide = "slide", 0.0;
+    Slide = "slide", 0.0, 1;
     /// A lamp that burns.
-    Hum = "hum", -8.0;
+    Hum = "hum", -8.0, 1;
     /// Water that laps.
-    Water = "water", -2.0;
+    Water = "water", -2.0, 1;
     /// A lift's winch.
-    Motor = "motor", -1.0;
+    Motor = "motor", -1.0, 3;
     /// Its chain.
-    Chain = "chain", -6.0;
+    Chain = "chain", -6.0, 3;
     /// Slats over rollers.
-    Belt = "belt", -3.0;
+    Belt = "belt", -3.0, 2;
 }
 
-/// How many loops there are.
-pub const LOOPS: usize = Loop::ALL.len();
+impl Loop {
+    /// Which of all levels are those of its voices.
+    pub fn slots(self) -> std::ops::Range<usize> {
+        let before = Loop::ALL.iter().take(self as usize);
+        let first = before.map(|other| other.voices()).sum();
+        first..first + self.voices()
+    }
+
+    /// The first of them.
+    pub fn slot(self) -> usize {
+        self.slots().start
+    }
+}
+
+/// How many voices all loops have together.
+pub const LOOPS: usize = {
+    let (mut sum, mut index) = (0, 0);
+    while index < Loop::ALL.len() {
+        sum += Loop::ALL[index].voices();
+        index += 1;
+    }
+    sum
+};
 
 /// A piece of music.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]

@@ -8,7 +8,7 @@ use edgewalker::game::{Input, Soles};
 use edgewalker::level::{
     Easing, Feature, Kind, Material, Mover, Repeat, Scenery, SceneryKind, Starts, Stop,
 };
-use edgewalker::sound::{Cue, Ear, Layer, Loop, Moment, STRIDES, Sound};
+use edgewalker::sound::{Cue, Ear, LOOPS, Layer, Level, Loop, Moment, STRIDES, Sound};
 use edgewalker::tune::Tuning;
 use glam::DVec2;
 use rig::{Run, block, floor, level, region};
@@ -287,6 +287,69 @@ fn machines_are_heard_by_distance() {
         "{:?}",
         far.cues
     );
+}
+
+/// A box of iron over a floor, which goes up and down or aside.
+fn machine(id: &str, x: f64, way: DVec2) -> Mover {
+    let stop = |at: DVec2| Stop {
+        at,
+        seconds: 1.0,
+        ..Stop::default()
+    };
+    Mover {
+        id: id.into(),
+        features: vec![block(id, Material::Iron, (x, 8.0), (x + 2.0, 10.0))],
+        path: vec![stop(DVec2::ZERO), stop(way)],
+        repeat: Default::default(),
+        starts: Starts::AtOnce,
+    }
+}
+
+/// Several machines are heard at once, each from its side; the farthest of too many is not.
+#[test]
+fn machines_are_heard_side_by_side() {
+    let places = [-9.0, 7.0, 2.0, 25.0];
+    let up = DVec2::new(0.0, 3.0);
+    let movers = places.map(|x| machine(&format!("at {x}"), x, up));
+    let mut run = Run::new(level(vec![floor(Material::Rock)], movers.to_vec()));
+    run.ear = Some(DVec2::new(0.0, 8.0));
+    run.play(0.5, 0);
+    for which in [Loop::Motor, Loop::Chain] {
+        let levels = &run.levels[which.slots()];
+        assert!(levels.iter().all(|level| level.gain > 0.1), "{levels:?}");
+        let mut pans: Vec<f32> = levels.iter().map(|level| level.pan).collect();
+        pans.sort_by(f32::total_cmp);
+        let [left, middle, right] = pans[..] else {
+            panic!("{pans:?}");
+        };
+        assert!(left < -0.3 && (0.05..0.2).contains(&middle), "{pans:?}");
+        assert!((0.3..0.5).contains(&right), "{pans:?}");
+    }
+    let before = run.levels;
+    run.play(3.0, 0);
+    let side = |levels: &[Level; LOOPS]| {
+        levels[Loop::Motor.slots()]
+            .iter()
+            .map(|l| l.pan)
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(side(&run.levels), side(&before), "nobody has changed sides");
+}
+
+/// What comes down on the hero is a danger, too, while it is near; a lift that goes aside is none. Two are more than one.
+#[test]
+fn crushers_are_a_danger() {
+    let tense = |movers: Vec<Mover>| {
+        let mut run = Run::new(level(vec![floor(Material::Rock)], movers));
+        run.play(3.0, 0);
+        run.layers[Layer::Tension as usize]
+    };
+    let (down, aside) = (DVec2::new(0.0, -4.0), DVec2::new(3.0, 0.0));
+    let one = tense(vec![machine("a", 3.0, down)]);
+    let two = tense(vec![machine("a", 3.0, down), machine("b", -5.0, down)]);
+    assert!(one > 0.2 && two > one + 0.1 && two < 1.0, "{one} {two}");
+    assert_eq!(tense(vec![machine("a", 3.0, aside)]), 0.0);
+    assert_eq!(tense(vec![machine("a", 40.0, down)]), 0.0);
 }
 
 #[test]

@@ -59,6 +59,8 @@ pub struct Run {
     pub cues: Vec<Cue>,
     /// Of every tick: its end, and how loud the loops are.
     pub loops: Vec<(f64, [f32; LOOPS])>,
+    /// What the loops have come to.
+    pub levels: [edgewalker::sound::Level; LOOPS],
     pub layers: [f32; 4],
     pub duck: f32,
     pub ear: Option<DVec2>,
@@ -75,6 +77,7 @@ impl Run {
             world,
             cues: Vec::new(),
             loops: Vec::new(),
+            levels: [edgewalker::sound::Level::SILENT; LOOPS],
             layers: [0.0; 4],
             duck: 1.0,
             ear: None,
@@ -105,6 +108,7 @@ impl Run {
         }
         self.cues.extend(cues);
         self.loops.push((now.time, loops.map(|level| level.gain)));
+        self.levels = *loops;
         (self.layers, self.duck) = (music.layers, music.duck);
     }
 
@@ -129,7 +133,10 @@ impl Run {
     }
 
     pub fn loudest(&self, which: Loop) -> f32 {
-        let gains = self.loops.iter().map(|(_, gains)| gains[which as usize]);
-        gains.fold(0.0, f32::max)
+        let gains = self
+            .loops
+            .iter()
+            .flat_map(|(_, gains)| &gains[which.slots()]);
+        gains.copied().fold(0.0, f32::max)
     }
 }

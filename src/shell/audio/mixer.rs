@@ -23,8 +23,10 @@ use std::time::Duration;
 
 /// Most sounds at the same time; what comes when there are so many is left out.
 const VOICES: usize = 40;
+/// The whole, beside the loudness of the files, in decibels: the recorded run comes to -18 LUFS.
+const WHOLE: f32 = 5.7;
 /// Music beside effects.
-const MUSIC_GAIN: f32 = 0.8;
+const MUSIC_GAIN: f32 = 0.65;
 /// How fast volumes change.
 const VOLUME_TIME: Duration = Duration::from_millis(60);
 /// Music in a pause: what is higher is taken away, Hz, and how fast.
@@ -67,7 +69,7 @@ impl<B: Backend> Mixer<B> {
     pub fn start(settings: B::Settings, clock: Clock) -> Result<Mixer<B>, B::Error> {
         let mut manager = AudioManager::<B>::new(AudioManagerSettings {
             capacities: Capacities::default(),
-            main_track_builder: MainTrackBuilder::new().with_effect(Ceiling),
+            main_track_builder: MainTrackBuilder::new().with_effect(Ceiling(amplitude(WHOLE))),
             internal_buffer_size: 128,
             backend_settings: settings,
         })?;
@@ -106,12 +108,17 @@ impl<B: Backend> Mixer<B> {
     /// Takes up the loops of a bank, silent.
     pub fn take_loops(&mut self, bank: &Bank) {
         for &which in Loop::ALL {
-            if let Some(old) = self.dials[which as usize].take() {
-                old.end();
+            for (voice, slot) in which.slots().enumerate() {
+                if let Some(old) = self.dials[slot].take() {
+                    old.end();
+                }
+                let begins_at = voice as f64 / which.voices() as f64;
+                let looped = bank.looped(which).cloned().map(|frames| Looped {
+                    begins_at: begins_at * frames.len() as f64,
+                    frames,
+                });
+                self.dials[slot] = looped.and_then(|looped| self.ambience.play(looped).ok());
             }
-            let frames = bank.looped(which).cloned();
-            self.dials[which as usize] =
-                frames.and_then(|frames| self.ambience.play(Looped { frames }).ok());
         }
     }
 
@@ -172,10 +179,12 @@ impl<B: Backend> Mixer<B> {
     /// Brings the loops to their levels.
     pub fn set_loops(&mut self, levels: &[Level; LOOPS]) {
         for &which in Loop::ALL {
-            if let Some(dial) = &self.dials[which as usize] {
-                let level = levels[which as usize];
-                let gain = level.gain * amplitude(which.decibels());
-                dial.set(Level { gain, ..level });
+            for slot in which.slots() {
+                if let Some(dial) = &self.dials[slot] {
+                    let level = levels[slot];
+                    let gain = level.gain * amplitude(which.decibels());
+                    dial.set(Level { gain, ..level });
+                }
             }
         }
     }

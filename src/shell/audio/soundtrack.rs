@@ -91,8 +91,8 @@ fn play_to(time: f64, mixer: &mut Mixer<Tape>, feeders: &mut [Feeder], heard: &m
     mixer.backend().play(due as usize, heard);
 }
 
-/// A file of samples of 16 bits.
-fn wav(samples: &[f32]) -> Vec<u8> {
+/// A WAV file of samples of 16 bits, left and right by turns.
+pub fn wav(samples: &[f32]) -> Vec<u8> {
     let size = samples.len() as u32 * BYTES;
     let mut bytes = Vec::with_capacity((HEADER + size) as usize);
     bytes.extend(b"RIFF");

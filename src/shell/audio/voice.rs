@@ -145,6 +145,8 @@ impl Dial {
 pub struct Looped {
     /// What is played.
     pub frames: Frames,
+    /// At which of its samples it begins.
+    pub begins_at: f64,
 }
 
 struct Turning {
@@ -169,7 +171,7 @@ impl SoundData for Looped {
             frames: self.frames,
             dial: dial.clone(),
             now: Level::SILENT,
-            place: 0.0,
+            place: self.begins_at,
         };
         Ok((Box::new(turning), dial))
     }

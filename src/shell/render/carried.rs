@@ -4,7 +4,7 @@ use super::fixtures::Arrows;
 use super::kit::Kit;
 use super::model::Model;
 use super::shards::Shards;
-use super::{dangers, fixtures, guides, terrain};
+use super::{dangers, fixtures, terrain};
 use crate::game::Stage;
 use crate::geom::Collider;
 use crate::level::Feature;
@@ -36,7 +36,7 @@ impl Carried {
             for feature in &mover.features {
                 add_resting_arrows(feature, &mut model);
             }
-            for feature in guides::crushers(mover) {
+            for feature in mover.crushers() {
                 dangers::crusher(feature, terrain::FRONT + PROUD, &mut model);
             }
             model

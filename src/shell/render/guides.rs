@@ -5,7 +5,7 @@
 use super::bearers::{Bearers, Frame, ROOT};
 use super::fixtures::outline;
 use super::model::{Model, Paint, paint};
-use crate::level::{Feature, Level, Material, Mover, Repeat};
+use crate::level::{Level, Material, Mover};
 use glam::Vec2;
 
 /// Depth of posts and rails behind the hero, of what runs before them and of what braces them.
@@ -81,12 +81,7 @@ fn frame(mover: &Mover, bearers: &Bearers) -> Frame {
 
 /// The ways from stop to stop, as offsets; those of a loop back to the first one as well.
 fn legs(mover: &Mover) -> impl Iterator<Item = (Vec2, Vec2)> + '_ {
-    let stops = || mover.path.iter().map(|stop| stop.at.as_vec2());
-    let back = match mover.repeat {
-        Repeat::Loop => stops().next_back().zip(stops().next()),
-        _ => None,
-    };
-    stops().zip(stops().skip(1)).chain(back)
+    mover.legs().map(|(a, b)| (a.as_vec2(), b.as_vec2()))
 }
 
 /// The ways between stops, each once.
@@ -221,25 +216,12 @@ fn rail(a: Vec2, b: Vec2, bearers: &Bearers, frame: &mut Frame) {
     frame.beam(ends[0], ends[1], POST, DEPTH, RUST);
 }
 
-/// Whether a mover goes up and down: what it comes down on is crushed.
-fn stamps(mover: &Mover) -> bool {
-    let upright = |(a, b): &(Vec2, Vec2)| (*b - *a).y.abs() >= UPRIGHT * (*b - *a).x.abs();
-    legs(mover).filter(|(a, b)| a != b).any(|leg| upright(&leg))
-}
-
-/// The parts of a mover that are shown as dangerous: the iron of one that stamps.
-pub fn crushers(mover: &Mover) -> impl Iterator<Item = &Feature> {
-    let stamps = stamps(mover);
-    let parts = mover.features.iter();
-    parts.filter(move |feature| stamps && feature.material == Material::Iron)
-}
-
 #[cfg(test)]
 mod tests {
     use super::super::bearers::tests::{floating, level, quarry};
     use super::super::scene;
     use super::*;
-    use crate::level::Stop;
+    use crate::level::{Feature, Repeat, Stop};
     use glam::DVec2;
 
     fn lift(to: (f64, f64), repeat: Repeat) -> Mover {
@@ -273,7 +255,9 @@ mod tests {
         for (to, stamping) in [((0.0, 5.0), true), ((6.0, 0.0), false)] {
             let mover = lift(to, Repeat::Loop);
             assert_eq!(ways(&mover).len(), 1, "there and back is one way");
-            assert_eq!(stamps(&mover), stamping);
+            let mut iron = mover.clone();
+            iron.features[0].material = Material::Iron;
+            assert_eq!(iron.crushers().count(), usize::from(stamping));
             let frame = frame(&mover, &Bearers::default());
             let (min, max) = extent(&frame);
             assert!(max.x - min.x > to.0 as f32 && max.y - min.y > to.1 as f32);

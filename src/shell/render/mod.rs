@@ -46,7 +46,6 @@ pub use crate::cli::Preset;
 pub use error::RenderError;
 pub use frame::{CameraPose, Frame, Line, PointLight, Tri};
 pub use gl::load;
-pub use guides::crushers;
 pub use passes::Pass;
 pub use state::Work;
 
