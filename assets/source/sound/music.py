@@ -110,7 +110,7 @@ def bell(note, r, velocity=1.0, length=7.0):
     ratios = [(0.5, 0.45, 1.0), (1, 0.8, 0.75), (1.19, 0.4, 0.6), (1.5, 0.25, 0.5), (2, 0.8, 0.5), (2.67, 0.25, 0.3)]
     ratios += [(3.01, 0.3, 0.24), (4.1, 0.2, 0.16), (5.43, 0.12, 0.1)]
     long = length * (520 / f) ** 0.3
-    out = struck([(f * k, g, long * d) for k, g, d in ratios], 0.0016, length, r, 0.001)
+    out = struck([(f * k, g, long * d) for k, g, d in ratios], 0.0007, length, r, 0.001)
     return fade(out / np.max(np.abs(out)), 0.001, 1.5) * velocity
 
 
@@ -156,41 +156,47 @@ def dusk():
 
     pulse = song.layer()
     r = rng(song.seed, 2)
+    # How much goes on under each chord: it grows towards the theme's summits and lies down between them.
+    busy = [0.5, 0.7, 0.85, 1.0, 0.9, 0.65, 0.4, 0.7, 0.85, 1.0, 0.95, 0.8, 0.55, 0.35]
     for bar in range(28):
-        bass = chords[bar // 2][0]
+        bass, force = chords[bar // 2][0], busy[bar // 2]
         beat = bar * 4
-        song.put(pulse, drum(58, r, 0.9), beat, 0.55)
-        song.put(pulse, drum(87, r, 0.4), beat + 2.5, 0.35, 0.2)
+        song.put(pulse, drum(76, r, 0.9 * force), beat, 0.55)
+        if force > 0.5:
+            song.put(pulse, drum(114, r, 0.4 * force), beat + 2.5, 0.35, 0.2)
         if bar % 4 == 3:
-            song.put(pulse, drum(87, r, 0.3), beat + 3.5, 0.3, -0.25)
+            song.put(pulse, drum(114, r, 0.3), beat + 3.5, 0.3, -0.25)
         for place, (at, step, velocity) in enumerate([(0, 0, 0.8), (1, 7, 0.45), (1.5, 12, 0.5), (2.5, 7, 0.45), (3, 0, 0.35), (3.5, 12, 0.4)]):
-            if r.uniform() < 0.86 or place == 0:
+            if r.uniform() < 0.3 + 0.7 * force or place == 0:
                 note = bass + 12 + step
-                song.put(pulse, low(harp(note, r, velocity * r.uniform(0.8, 1.1), 2.5), 1800), beat + at + r.normal(0, 0.008), 0.20, 0.25 * (-1) ** place)
+                song.put(pulse, low(harp(note, r, velocity * r.uniform(0.8, 1.1), 2.5), 1800), beat + at + r.normal(0, 0.008), 0.26 * (0.5 + 0.5 * force), 0.25 * (-1) ** place)
         for at in np.arange(0.5, 4, 1):
-            song.put(pulse, shaker(r, r.uniform(0.5, 1.0)), beat + at + r.normal(0, 0.01), 0.22, 0.45)
+            if force > 0.6:
+                song.put(pulse, shaker(r, force * r.uniform(0.5, 1.0)), beat + at + r.normal(0, 0.01), 0.22, 0.45)
     pulse = around_room(pulse, room(1.8, 0.5, r), 0.22)
 
     melody = song.layer()
     r = rng(song.seed, 3)
-    # (beat, note, velocity), in phrases with room between them.
+    # A theme of four phrases, each over a chord: a turn upwards that is answered, climbs, and comes down. It is told twice, the
+    # second time higher and to its end; between and after is room. (beat, note, velocity)
     phrases = [
-        (2, [(0, 69, 0.7), (1.5, 72, 0.6), (2, 74, 0.85), (4, 76, 0.7), (5, 74, 0.6), (7, 69, 0.6)]),
-        (14, [(0, 77, 0.7), (0.5, 76, 0.6), (2, 72, 0.7), (4, 74, 0.55)]),
-        (26, [(0, 71, 0.6), (1, 72, 0.6), (1.5, 74, 0.7), (3, 79, 0.8), (4.5, 76, 0.6), (6, 74, 0.55)]),
-        (42, [(0, 72, 0.6), (1, 71, 0.55), (2, 69, 0.6), (5, 64, 0.6)]),
-        (50, [(0, 74, 0.75), (1.5, 77, 0.6), (2, 81, 0.9), (4, 79, 0.65), (5.5, 77, 0.55), (6, 76, 0.7), (8, 74, 0.5)]),
-        (66, [(0, 76, 0.6), (2, 72, 0.6), (2.5, 74, 0.6), (4, 67, 0.6)]),
-        (80, [(0, 67, 0.55), (1, 71, 0.6), (2, 74, 0.65), (3.5, 76, 0.75), (6, 71, 0.5)]),
-        (94, [(0, 76, 0.65), (1, 74, 0.6), (2, 72, 0.6), (3, 69, 0.6), (6, 62, 0.7)]),
+        (8, [(0, 69, 0.75), (1.5, 72, 0.55), (2, 74, 0.8), (3, 72, 0.55), (4, 69, 0.65)]),
+        (16, [(0, 69, 0.75), (1.5, 72, 0.55), (2, 76, 0.8), (3, 74, 0.55), (4, 72, 0.65)]),
+        (24, [(0, 67, 0.7), (1.5, 72, 0.6), (2, 74, 0.7), (3, 76, 0.75), (4, 79, 0.9)]),
+        (32, [(0, 76, 0.75), (1, 74, 0.6), (2, 71, 0.7), (3, 69, 0.55), (4, 67, 0.6), (8, 69, 0.65)]),
+        (56, [(0, 69, 0.7), (1.5, 72, 0.55), (2, 74, 0.75), (3, 72, 0.55), (4, 69, 0.6), (7, 69, 0.5)]),
+        (64, [(0, 72, 0.75), (1.5, 74, 0.6), (2, 77, 0.9), (3, 76, 0.6), (4, 72, 0.65)]),
+        (72, [(0, 67, 0.7), (1.5, 72, 0.6), (2, 74, 0.7), (3, 76, 0.75), (4, 79, 0.9), (6, 76, 0.55)]),
+        (80, [(0, 79, 0.85), (1, 76, 0.65), (2, 74, 0.7), (3, 71, 0.6), (4, 76, 0.75)]),
+        (88, [(0, 74, 0.7), (1.5, 71, 0.55), (2, 69, 0.65), (3, 67, 0.55), (4, 64, 0.6), (8, 69, 0.6), (10, 62, 0.65)]),
     ]
     for start, notes in phrases:
         for at, note, velocity in notes:
             song.put(melody, harp(note, r, velocity), start + at + r.normal(0, 0.015), 0.34, -0.15)
             if velocity > 0.7:
                 song.put(melody, harp(note - 12, r, velocity * 0.6), start + at + 0.04, 0.2, 0.1)
-    for beat, note, velocity in [(11, 74, 0.5), (12, 81, 0.35), (23, 69, 0.5), (36, 79, 0.4), (37.5, 74, 0.5), (48, 65, 0.5), (62, 76, 0.4), (63, 81, 0.3),
-                                 (75, 72, 0.45), (76.5, 67, 0.5), (90, 79, 0.35), (91, 71, 0.45), (104, 74, 0.4), (106, 69, 0.5)]:
+    for beat, note, velocity in [(14, 81, 0.3), (30, 84, 0.25), (44, 76, 0.45), (45.5, 72, 0.4), (47, 69, 0.45), (51, 77, 0.3), (52.5, 74, 0.4),
+                                 (70, 84, 0.25), (86, 83, 0.3), (100, 76, 0.4), (101.5, 81, 0.3), (106, 72, 0.4), (108, 69, 0.45), (110, 64, 0.4)]:
         song.put(melody, bell(note, r, velocity), beat, 0.30, 0.35)
     melody = around_room(melody, room(3.4, 0.7, r), 0.5)
 
@@ -224,35 +230,46 @@ def deep():
 
     pulse = song.layer()
     r = rng(song.seed, 2)
+    busy = [0.5, 0.65, 0.85, 1.0, 0.7, 0.5, 0.8, 0.9, 1.0, 0.85, 0.45, 0.4, 0.75, 0.9, 0.6]
     for bar in range(30):
         bass = chords[bar // 2][0]
         beat = bar * 4
-        for at, f, velocity in [(0, 52, 1.0), (1.5, 78, 0.35), (2.75, 52, 0.5), (3.5, 78, 0.3)]:
-            song.put(pulse, drum(f, r, velocity * r.uniform(0.85, 1.1)), beat + at, 0.5, 0.2 * np.sign(f - 60))
+        force = busy[bar // 2]
+        for at, f, velocity in [(0, 68, 1.0), (1.5, 102, 0.35), (2.75, 68, 0.5), (3.5, 102, 0.3)]:
+            if at == 0 or force > 0.5:
+                song.put(pulse, drum(f, r, force * velocity * r.uniform(0.85, 1.1)), beat + at, 0.5, 0.2 * np.sign(f - 80))
         for at, gain in [(1, 0.5), (3, 0.7)]:
-            anvil = struck([(512, 1, 0.3), (1187, 0.7, 0.22), (1930, 0.5, 0.16), (2970, 0.4, 0.1)], 0.004, 0.5, r, 0.01)
-            song.put(pulse, fade(anvil / np.max(np.abs(anvil)), 0.001, 0.1), beat + at, 0.05 * gain, 0.4)
-        for place, (at, step) in enumerate([(0, 0), (0.5, 12), (1, 7), (2, 0), (2.5, 12), (3, 13 if bar % 4 == 3 else 7)]):
-            song.put(pulse, low(harp(bass + step, r, r.uniform(0.5, 0.8), 2.0), 1300), beat + at + r.normal(0, 0.006), 0.22, 0.2 * (-1) ** place)
+            if force > 0.6:
+                anvil = struck([(512, 1, 0.3), (1187, 0.7, 0.22), (1930, 0.5, 0.16), (2970, 0.4, 0.1)], 0.0007, 0.5, r, 0.01)
+                song.put(pulse, fade(anvil / np.max(np.abs(anvil)), 0.001, 0.1), beat + at, 0.07 * gain * force, 0.4)
+        # The second above the bass is a half tone over E alone; elsewhere it would leave the mode.
+        turn = 13 if bar % 4 == 3 and bass == 40 else 7
+        for place, (at, step) in enumerate([(0, 0), (0.5, 12), (1, 7), (2, 0), (2.5, 12), (3, turn)]):
+            if r.uniform() < 0.35 + 0.65 * force or place == 0:
+                song.put(pulse, low(harp(bass + 12 + step, r, r.uniform(0.5, 0.8), 2.0), 1500), beat + at + r.normal(0, 0.006), 0.24 * (0.5 + 0.5 * force), 0.2 * (-1) ** place)
     pulse = around_room(pulse, room(2.4, 0.4, r), 0.3)
 
     melody = song.layer()
     r = rng(song.seed, 3)
+    # A lament: a half tone up and back, then a fall; told three times, each time from elsewhere, with room between.
     phrases = [
-        (4, [(0, 64, 0.6), (2, 65, 0.5), (3, 64, 0.6), (5, 59, 0.6)]),
-        (20, [(0, 69, 0.6), (1, 67, 0.5), (2, 65, 0.6), (4, 64, 0.65), (7, 57, 0.5)]),
-        (36, [(0, 72, 0.7), (1.5, 71, 0.5), (3, 69, 0.6), (4, 67, 0.6), (6, 64, 0.5)]),
-        (58, [(0, 65, 0.6), (1, 64, 0.5), (3, 62, 0.6), (5, 57, 0.6)]),
-        (72, [(0, 60, 0.5), (1, 64, 0.55), (2, 67, 0.6), (3.5, 71, 0.7), (6, 69, 0.55)]),
-        (92, [(0, 76, 0.7), (2, 74, 0.5), (3, 72, 0.6), (4, 71, 0.6), (7, 64, 0.6)]),
-        (110, [(0, 65, 0.5), (2, 69, 0.5), (3, 72, 0.6), (5, 71, 0.5)]),
+        (0, [(0, 71, 0.65), (2, 72, 0.55), (3, 71, 0.55), (4, 67, 0.65)]),
+        (8, [(0, 69, 0.6), (2, 71, 0.55), (3, 69, 0.55), (4, 64, 0.65)]),
+        (16, [(0, 69, 0.6), (1, 72, 0.55), (2, 77, 0.75), (4, 76, 0.65), (6, 72, 0.5)]),
+        (24, [(0, 74, 0.6), (1, 72, 0.5), (2, 71, 0.6), (4, 64, 0.65)]),
+        (48, [(0, 72, 0.65), (2, 74, 0.55), (3, 72, 0.55), (4, 69, 0.65)]),
+        (56, [(0, 71, 0.6), (2, 72, 0.55), (3, 71, 0.55), (4, 65, 0.6), (6, 64, 0.6)]),
+        (64, [(0, 69, 0.6), (1, 72, 0.55), (2, 77, 0.75), (4, 74, 0.65), (6, 69, 0.5)]),
+        (72, [(0, 69, 0.55), (1, 67, 0.5), (2, 65, 0.6), (4, 60, 0.6)]),
+        (96, [(0, 71, 0.6), (2, 72, 0.5), (3, 71, 0.5), (4, 69, 0.6)]),
+        (104, [(0, 67, 0.6), (2, 65, 0.5), (3, 64, 0.5), (4, 59, 0.65)]),
     ]
     for start, notes in phrases:
         for at, note, velocity in notes:
             song.put(melody, bell(note, r, velocity, 6.0), start + at, 0.26, -0.2)
             song.put(melody, harp(note - 12, r, velocity * 0.8), start + at + r.normal(0, 0.012), 0.26, 0.15)
-    for beat, note in [(14, 76), (30, 72), (48, 79), (66, 74), (84, 76), (104, 71)]:
-        song.put(melody, bowed(hertz(note), 5.0, r, 0.6), beat, 0.06)
+    for beat, note in [(33, 76), (41, 74), (60, 71), (81, 76), (89, 74), (113, 72)]:
+        song.put(melody, bowed(hertz(note), 5.0, r, 0.6), beat, 0.09)
     melody = around_room(melody, room(4.4, 0.6, r), 0.6)
 
     tension = strain(song, 40, rng(song.seed, 4), 3)
@@ -260,7 +277,8 @@ def deep():
 
 
 def strain(song, root, r, group):
-    """What danger adds to any harmony: a low fifth that beats, bowed iron a semitone apart, a heart that hurries."""
+    """What danger adds to any harmony: a fifth that beats, bowed iron a semitone apart, a heart that hurries. Nothing of it is
+    so low that small loudspeakers would lose it."""
     out = song.layer()
     bars = song.beats // 4
     for bar in range(0, bars, 4):
@@ -268,20 +286,23 @@ def strain(song, root, r, group):
         t = seconds(length)
         shape = np.sin(np.pi * np.clip(t / length, 0, 1)) ** 0.7
         drone = np.zeros((2, len(t)))
-        for note, gain in [(root - 12, 0.8), (root - 5, 0.5), (root, 0.3)]:
+        for note, gain in [(root, 0.6), (root + 7, 0.55), (root + 12, 0.4), (root + 19, 0.2)]:
             for side, off in enumerate((-0.35, 0.35)):
                 f = hertz(note) + off
-                drone[side] += gain * sum(np.sin(TAU * f * k * t + k * note) / k**1.3 for k in range(1, 12))
-        song.put(out, low(drone * shape, 700), bar * 4, 0.10)
+                for k in range(1, 12):
+                    # Each overtone breathes by itself, as under an uneven bow.
+                    breath = wander(length, 1.1, r, 0.15, 1.0)[: len(t)]
+                    drone[side] += gain * breath * np.sin(TAU * f * k * t + k * note + 0.6 * side) / k**1.1
+        song.put(out, low(drone * shape, 1600), bar * 4, 0.10)
     for bar in range(1, bars, 3):
         high_note = root + 36 + r.choice([0, 1, 7, 8])
-        song.put(out, bowed(hertz(high_note), 6.0, r, 1.0), bar * 4 + 1, 0.05)
-        song.put(out, bowed(hertz(high_note + 1), 5.0, r, 0.8), bar * 4 + 2, 0.03)
+        song.put(out, bowed(hertz(high_note), 6.0, r, 1.0), bar * 4 + 1, 0.10)
+        song.put(out, bowed(hertz(high_note + 1), 5.0, r, 0.8), bar * 4 + 2, 0.07)
     for beat in np.arange(0, song.beats, 1.0):
         for at, velocity in [(0, 0.8), (0.28, 0.45)]:
-            song.put(out, drum(46, r, velocity * r.uniform(0.9, 1.05), 0.15), beat + at, 0.4)
+            song.put(out, drum(72, r, velocity * r.uniform(0.9, 1.05), 0.45), beat + at, 0.32)
         if int(beat) % group == group - 1:
-            song.put(out, drum(110, r, 0.35, 0.9), beat + 0.75, 0.22, 0.3)
+            song.put(out, drum(130, r, 0.35, 0.9), beat + 0.75, 0.26, 0.3)
     return around_room(out, room(3.0, 0.4, r), 0.4)
 
 

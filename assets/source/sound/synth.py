@@ -178,7 +178,8 @@ def pulse(width):
 
 
 def struck(partials, width, length, r=None, spread=0.0):
-    """A body struck by something so hard that they touch for a time: the longer, the duller."""
+    """A body struck by something so hard that they touch for a time: the longer, the duller. Nothing is left of what swings
+    twice in that time, so it is some 0.2 ms for iron on iron, 0.4 ms for stone, 0.8 ms for wood."""
     force = pulse(width)
     return respond(modes(length, partials, r, spread), lambda w: transform(force, w))
 

@@ -1,5 +1,8 @@
 //! The files of all sounds and music, decoded and measured: none clips, clicks, hums below hearing or is missing.
 
+mod measure;
+mod mix;
+
 use edgewalker::cli::load;
 use edgewalker::game::{Input, Replay};
 use edgewalker::shell::audio::Volumes;
@@ -10,6 +13,7 @@ use edgewalker::shell::audio::stems::MUSIC;
 use edgewalker::sound::{Layer, Loop, Piece, Sound};
 use edgewalker::tune::Tuning;
 use kira::Frame;
+use measure::{band, likeness};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
@@ -19,6 +23,15 @@ const PEAK: f32 = 0.891;
 const OFFSET: f32 = 0.002;
 /// Highest amplitude at which a sound may begin or end: -50 dB.
 const EDGE: f32 = 0.003;
+/// Seconds after which a sound is under way, and how much of its largest amplitude it has had by then.
+const FIRST: f32 = 0.005;
+const BEGUN: f32 = 0.2;
+/// What can be heard, and what small loudspeakers play of it, Hz; how much softer that may be, dB.
+const HEARD: (f32, f32) = (25.0, 16_000.0);
+const SMALL: (f32, f32) = (250.0, 16_000.0);
+const LOST: f32 = 10.0;
+/// How alike two variations may be, 1 for the same wave.
+const ALIKE: f32 = 0.9;
 /// All assets together, in bytes.
 const SIZE: u64 = 12_000_000;
 
@@ -121,6 +134,51 @@ fn sounds_begin_and_end_at_nothing_and_are_short() {
         for samples in channels(&frames) {
             let ends = [&samples[..4], &samples[samples.len() - 4..]].map(largest);
             assert!(ends[0].max(ends[1]) < EDGE, "{}: {ends:?}", path.display());
+        }
+    }
+}
+
+/// Nobody waits for a sound: within five milliseconds of its beginning it is well under way.
+#[test]
+fn sounds_begin_at_once() {
+    for path in sounds() {
+        let frames = all(&path);
+        let first = (FIRST * RATE as f32) as usize;
+        for samples in channels(&frames) {
+            let (begun, most) = (largest(&samples[..first]), largest(&samples));
+            assert!(
+                begun > BEGUN * most,
+                "{}: {begun} of {most}",
+                path.display()
+            );
+        }
+    }
+}
+
+/// Small loudspeakers play nothing of what is low: everything has enough above it. So has every layer of music.
+#[test]
+fn small_loudspeakers_are_enough() {
+    for path in sounds().chain(loops()).chain(layers()) {
+        let both: Vec<f32> = all(&path).iter().flat_map(|f| [f.left, f.right]).collect();
+        let (whole, heard) = (band(&both, HEARD), band(&both, SMALL));
+        let lost = whole - heard;
+        assert!(lost < LOST, "{}: {lost} dB are lost", path.display());
+    }
+}
+
+/// Of a sound that is often heard no two variations are the same wave, wherever one lays them.
+#[test]
+fn variations_are_not_copies() {
+    for &sound in Sound::ALL {
+        let waves: Vec<Vec<f32>> = (0..sound.variants())
+            .map(|variant| all(&Path::new(SOUNDS).join(sound.file(variant))))
+            .map(|frames| channels(&frames)[0].clone())
+            .collect();
+        for (i, a) in waves.iter().enumerate() {
+            for (j, b) in waves.iter().enumerate().skip(i + 1) {
+                let alike = likeness(a, b);
+                assert!(alike < ALIKE, "{sound:?}: {i} and {j} are {alike} alike");
+            }
         }
     }
 }
