@@ -43,7 +43,7 @@ const CALM: f32 = 0.65;
 /// How dark gaps are: near the open, and where it is quiet.
 const GAPS: [f32; 2] = [0.42, 0.72];
 /// Patches: what of the waves over a wall is render, and what is stained; their colour, and how much of it they have.
-const RENDER: f32 = 0.95;
+const RENDER: f32 = 1.2;
 const STAIN: f32 = -1.05;
 const RENDERED: Paint = super::model::paint(0xa89a88);
 const STAINED: f32 = 0.80;
