@@ -10,6 +10,8 @@ use glam::{Mat4, Quat, Vec3};
 const SOLE: [f32; 2] = [-0.055, 0.105];
 /// How much higher than the other an end must be for the sole to turn about the other alone, m.
 const SOLE_TILT: f32 = 0.04;
+/// How far the clips may have a sole in the ground, m: it gives, and nobody sees it.
+const SINKS_IN: f32 = 0.015;
 /// Heights of the sole at which a foot comes down, and at which it is lifted, m.
 const DOWN: f32 = 0.010;
 const LIFTED: f32 = 0.022;
@@ -39,6 +41,11 @@ const TURNS_BELOW: f32 = 0.14;
 pub trait Ground {
     /// The height of the highest ground at `x` between `low` and `high`, and its rise over run there.
     fn under(&self, x: f64, high: f64, low: f64) -> Option<(f64, f32)>;
+
+    /// The left and the right end of the ladder at a place, at that height.
+    fn ladder(&self, _x: f64, _y: f64) -> Option<(f64, f64)> {
+        None
+    }
 }
 
 /// One foot, from moment to moment. All places are in the level's axes, about the body's foot.
@@ -82,6 +89,8 @@ pub struct Step<'a> {
     pub weight: f32,
     /// Rise over run of the ground under the body.
     pub slope: f32,
+    /// How far a foot that the clips still have in the air is brought down to the ground after a landing, 0 to 1.
+    pub lands: f32,
 }
 
 /// Where a foot shall be: its ankle, its turn, and how high the sole was in the clips.
@@ -102,6 +111,13 @@ impl Foot {
     pub fn follow(&mut self, placed: &Mat4, leg: &Leg, step: &Step, other_steps: bool) -> Goal {
         let ends = SOLE.map(|x| placed.transform_point3(Vec3::new(x, -leg.ankle, 0.0)));
         let low = ends[0].y.min(ends[1].y);
+        // Whatever comes together in a pose, no foot goes into the ground, and who has landed has one on it.
+        let raised = match low < 0.0 {
+            true => (-low - SINKS_IN).max(0.0) * step.weight,
+            false => -low * step.lands,
+        };
+        let ends = ends.map(|end| end + Vec3::Y * raised);
+        let low = low + raised;
         self.soles.iter_mut().for_each(|sole| *sole -= step.moved);
         self.hold(&ends, low, step);
         self.take_small_step(step, other_steps);
@@ -127,7 +143,7 @@ impl Foot {
         let put = |p: Vec3| pivot + tilt * (p - pivot) + self.shift.with_y(height);
         self.soles = ends.map(put);
         Goal {
-            ankle: put(placed.transform_point3(Vec3::ZERO)),
+            ankle: put(placed.transform_point3(Vec3::ZERO) + Vec3::Y * raised),
             tilt,
             low,
             load: match self.stands {

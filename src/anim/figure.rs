@@ -4,15 +4,16 @@
 //! then the feet on the ground; then what hangs. All of it is a plain value without a heap: clone it to come back.
 
 use super::aim::{facing, gaze};
+use super::beside::Beside;
 use super::fade::Fade;
 use super::feet::{Foot, Goal, Ground, Step};
 use super::ik::{Limb, reach};
-use super::moves::{Moves, Support};
+use super::moves::Moves;
 use super::pose::Pose;
 use super::rig::{Bone, Rig};
 use super::shown::Shown;
 use super::skeleton::Placed;
-use super::state::{Kind, LEDGE, Pace, State, fall_share, run_share, smooth, stride};
+use super::state::{Kind, Pace, State, fall_share, run_share, smooth, stride};
 use super::tails::{Moment, Outline, Tails};
 use glam::{Mat4, Quat, Vec2, Vec3};
 
@@ -22,6 +23,9 @@ const LONGEST: f64 = 0.25;
 const TURNING: f32 = 15.0;
 /// How fast he comes to the ground and off it, 1/s.
 const GROUNDING: (f32, f32) = (35.0, 14.0);
+/// How fast feet that were drawn up in the air are put down at a landing, 1/s, until its clip has them there, s.
+const LANDING: f32 = 90.0;
+const LANDS: f32 = 0.16;
 /// How fast a walk becomes a run, and how fast a change of slope is taken, 1/s.
 const PACING: f32 = 30.0;
 const SLOPING: f32 = 22.0;
@@ -41,9 +45,6 @@ const SINKING: (f32, f32) = (110.0, 5.0);
 const SINKS: f32 = 0.36;
 /// Share of its length that a leg which carries weight is stretched to at most.
 const BENT: f32 = 0.965;
-/// How fast a sudden small change of place is taken, 1/s, and the smallest that is, m.
-const TAKES_STEP: f32 = 16.0;
-const STEP: f64 = 0.02;
 /// The most that he is stretched or squashed.
 const STRETCH: f32 = 0.08;
 /// A landing so long ago is no longer felt, s.
@@ -69,16 +70,14 @@ pub struct Figure {
     slope: f32,
     gaze: Vec2,
     drop: f32,
-    /// What is left of a sudden small change of place.
-    offset: Vec3,
-    ledge: f32,
+    beside: Beside,
     feet: [Foot; 2],
     tails: Tails,
     shown: Shown,
 }
 
 /// How much of the way to a goal is gone in a time, at a rate.
-fn share(rate: f32, span: f32) -> f32 {
+pub fn share(rate: f32, span: f32) -> f32 {
     1.0 - (-rate * span).exp()
 }
 
@@ -114,13 +113,11 @@ impl Figure {
             slope: moves.slope(),
             gaze: Vec2::ZERO,
             drop: 0.0,
-            offset: Vec3::ZERO,
-            ledge: 0.0,
+            beside: Beside::settled(state.kind, moves, ground),
             feet: [Foot::default(); 2],
             tails: Tails::new(rig, &placed, &Mat4::IDENTITY, &moment(moves, Vec3::ZERO)),
             shown: Shown::resting(base, moves.foot),
         };
-        figure.ledge = figure.ledge_goal();
         let pose = figure.finish(0.0, Vec3::ZERO, rig, ground);
         let placed = rig.model.skeleton.place(&pose);
         let stand = figure.rigid();
@@ -163,7 +160,7 @@ impl Figure {
         self.change_movement(moves, rig);
         self.play(moves, rig);
         let moved = (moves.foot - before.foot).as_vec2().extend(0.0);
-        self.follow(&before, moves, span as f32);
+        self.follow(&before, moves, span as f32, ground);
         let was = self.shown.pose;
         let mut pose = self.finish(span as f32, moved, rig, ground);
         pose.turn_at_most(FASTEST * span as f32, &was, &rig.muscles);
@@ -262,7 +259,7 @@ impl Figure {
     }
 
     /// What follows the body late.
-    fn follow(&mut self, before: &Moves, moves: &Moves, span: f32) {
+    fn follow(&mut self, before: &Moves, moves: &Moves, span: f32, ground: &dyn Ground) {
         let on_ground = self.state.is_on_ground();
         let (to, rate) = match on_ground {
             true => (1.0, GROUNDING.0),
@@ -280,30 +277,8 @@ impl Figure {
         self.lean += (pushed + uphill - self.lean) * share(LEANING, span);
         self.slope += (moves.slope() - self.slope) * share(SLOPING, span);
         self.gaze += (gaze(self.state.kind, moves) - self.gaze) * share(GAZING, span);
-        self.ledge += (self.ledge_goal() - self.ledge) * share(TAKES_STEP, span);
-        self.take_steps(before, moves, span);
-    }
-
-    /// A change of place that no speed explains (up a step, down a little edge, to a ledge) is shown as a quick move.
-    fn take_steps(&mut self, before: &Moves, moves: &Moves, span: f32) {
-        let mean = (before.velocity + moves.velocity) * 0.5;
-        let beyond = moves.foot - before.foot - mean * f64::from(span);
-        let bent = (moves.velocity - before.velocity).length() * f64::from(span);
-        let hold = [before.support, moves.support].contains(&Support::Air)
-            && moves.support != Support::Ledge;
-        if beyond.length() > STEP + bent && !hold {
-            self.offset -= beyond.as_vec2().extend(0.0);
-        }
-        self.offset *= 1.0 - share(TAKES_STEP, span);
-    }
-
-    /// How much lower the clips are played that hang from a ledge: they have it higher than the game.
-    fn ledge_goal(&self) -> f32 {
-        let hangs = matches!(self.state.kind, Kind::Hang | Kind::ClimbOver);
-        match hangs && matches!(self.moves.support, Support::Ledge | Support::Over) {
-            true => (self.moves.ledge - LEDGE) * smooth(self.moves.ledge),
-            false => 0.0,
-        }
+        let kind = self.state.kind;
+        self.beside.follow(kind, (before, moves), span, ground);
     }
 
     /// Squashed by landings, stretched by speed: the factor upwards, while the volume stays.
@@ -325,10 +300,7 @@ impl Figure {
 
     /// From the figure's space to the level's axes about the body's foot, without the squash.
     fn rigid(&self) -> Mat4 {
-        Mat4::from_rotation_translation(
-            Quat::from_rotation_y(self.yaw),
-            self.offset + Vec3::Y * self.ledge,
-        )
+        Mat4::from_rotation_translation(Quat::from_rotation_y(self.yaw), self.beside.place())
     }
 
     /// The whole pose but what hangs: lean, gaze, feet.
@@ -337,7 +309,7 @@ impl Figure {
         self.bow(rig, &mut pose);
         let squash = self.squash();
         (self.shown.foot, self.shown.squash) = (self.moves.foot, squash);
-        (self.shown.yaw, self.shown.offset) = (self.yaw, self.offset + Vec3::Y * self.ledge);
+        (self.shown.yaw, self.shown.offset) = (self.yaw, self.beside.place());
         if self.weight < 0.01 {
             self.feet = [Foot::default(); 2];
             self.drop = 0.0;
@@ -355,21 +327,25 @@ impl Figure {
             foot: moves.foot,
             weight: self.weight,
             slope: self.slope,
+            lands: 0.0,
         };
         let clean = rig.model.skeleton.place(&self.base);
-        let level =
-            Mat4::from_translation(self.offset.with_y(0.0)) * Mat4::from_rotation_y(self.yaw);
+        let level = Mat4::from_translation(self.beside.place().with_y(0.0))
+            * Mat4::from_rotation_y(self.yaw);
+        let feet = [0, 1].map(|side| level * clean.bones[rig.legs[side].bones[2]]);
+        let lands = self.lands(feet.map(|foot| foot.w_axis.y));
         let mut follow = |side: usize| {
-            let leg = &rig.legs[side];
+            let lands = lands[side];
             let busy = self.feet[1 - side].is_stepping();
-            self.feet[side].follow(&(level * clean.bones[leg.bones[2]]), leg, &step, busy)
+            let step = Step { lands, ..step };
+            self.feet[side].follow(&feet[side], &rig.legs[side], &step, busy)
         };
         let goals = [follow(0), follow(1)];
         let stand = self.rigid() * Mat4::from_scale(widths(squash));
         let back = stand.inverse();
-        let beside = self.offset.y + self.ledge;
-        // A foot in the air goes along with the body, one on the ground does not.
-        let lift = |goal: Goal| Vec3::Y * (beside * (1.0 - goal.load));
+        let beside = self.beside.place().y;
+        // A foot in the air goes along with the body, but not into the ground; one on the ground does not.
+        let lift = |goal: Goal| Vec3::Y * (beside * (1.0 - goal.load)).max(-goal.low.max(0.0));
         let mut ankles = goals.map(|goal| back.transform_point3(goal.ankle + lift(goal)));
         self.sink(span, &goals.map(|goal| goal.load), &ankles, rig, &pose);
         pose.bones[rig.bone(Bone::Hips)].place.y -= self.drop;
@@ -384,6 +360,20 @@ impl Figure {
             put_leg(rig, i, &placed, ankles[i], sole, &mut pose);
         }
         pose
+    }
+
+    /// How far the feet are brought down to the ground for a landing: both, or in a run the lower one.
+    fn lands(&self, heights: [f32; 2]) -> [f32; 2] {
+        let age = (self.moves.time - self.moves.landed.0).min(FORGOTTEN) as f32;
+        if !self.state.stands() || !(0.0..LANDS).contains(&age) {
+            return [0.0; 2];
+        }
+        let down = share(LANDING, age) * (1.0 - smooth(age / LANDS));
+        let runs = matches!(self.state.kind, Kind::Go | Kind::Turn | Kind::Crawl);
+        [0, 1].map(|side| match runs && heights[side] > heights[1 - side] {
+            true => 0.0,
+            false => down,
+        })
     }
 
     /// Leans and looks.

@@ -5,6 +5,7 @@
 //! Nothing here draws, opens a file or reads a clock, and nothing but reading a model allocates.
 
 mod aim;
+mod beside;
 mod clip;
 mod fade;
 mod feet;

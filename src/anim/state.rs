@@ -239,7 +239,7 @@ impl State {
 /// Height of the ledge over the foot in the clips that hang from it, m.
 pub const LEDGE: f32 = 1.6;
 /// And in the game, when a climb begins, m.
-const HANGS: f32 = 1.3;
+pub const HANGS: f32 = 1.3;
 
 /// A body that was in the air has come to the ground.
 fn landing(moves: &Moves) -> Kind {

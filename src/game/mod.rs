@@ -63,7 +63,7 @@ pub enum Stance {
     Air,
     /// On walkable ground.
     Ground,
-    /// Along something too steep to stand on.
+    /// Along something too steep to stand on: sliding, or with a hold on it ([`View::grip`]).
     Slide,
     /// Wedged at a vertex.
     Wedge,

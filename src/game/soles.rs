@@ -1,10 +1,12 @@
-//! What is under the hero's feet, for his picture: he is one point to the motion, but stands on two feet.
+//! What is under the hero's feet and hands, for his picture: he is one point to the motion, but stands on two feet, and
+//! climbs in the middle of a ladder.
 
 use super::meshes::Meshes;
 use super::stage::Stage;
 use super::world::World;
 use crate::anim::Ground;
 use crate::geom::Collider;
+use crate::level::Kind;
 use crate::mesh::{Cast, Mesh};
 use glam::DVec2;
 
@@ -13,6 +15,8 @@ use glam::DVec2;
 pub struct Soles {
     meshes: Meshes,
     offsets: Vec<DVec2>,
+    /// The outlines of the ladders, and the mover that each belongs to.
+    ladders: Vec<(Vec<DVec2>, Option<usize>)>,
 }
 
 /// Steeper ground than this is none for a sole.
@@ -23,8 +27,14 @@ impl Soles {
     pub fn of(stage: &Stage) -> Soles {
         let meshes = stage.meshes(&Collider::point());
         let meshes = meshes.expect("the stage was built with the meshes of a point");
+        let level = &stage.level;
+        let movers = level.movers.iter().enumerate();
+        let moving = movers.flat_map(|(i, mover)| mover.features.iter().map(move |f| (f, Some(i))));
+        let all = level.features.iter().map(|f| (f, None)).chain(moving);
+        let ladders = all.filter(|(feature, _)| feature.kind == Kind::Ladder);
         Soles {
             offsets: vec![DVec2::ZERO; meshes.movers.len()],
+            ladders: ladders.map(|(f, i)| (f.outline.clone(), i)).collect(),
             meshes,
         }
     }
@@ -50,6 +60,19 @@ fn under(mesh: &Mesh, from: DVec2, low: f64) -> Option<(f64, f32)> {
     (slope.abs() <= STEEPEST).then_some((hit.point.y, slope))
 }
 
+/// The ends of an outline at a height.
+fn ends_at(outline: &[DVec2], y: f64) -> Option<(f64, f64)> {
+    let next = outline.iter().cycle().skip(1);
+    let crossed = outline.iter().zip(next).filter_map(|(&a, &b)| {
+        let share = (y - a.y) / (b.y - a.y);
+        (0.0..=1.0).contains(&share).then(|| a.lerp(b, share).x)
+    });
+    crossed.fold(None, |ends, x| {
+        let (left, right) = ends.unwrap_or((x, x));
+        Some((left.min(x), right.max(x)))
+    })
+}
+
 impl Ground for Soles {
     fn under(&self, x: f64, high: f64, low: f64) -> Option<(f64, f32)> {
         // From high up a ceiling may be in the way: then from half as high.
@@ -66,5 +89,14 @@ impl Ground for Soles {
             .into_iter()
             .chain(moving)
             .max_by(|a, b| a.0.total_cmp(&b.0))
+    }
+    fn ladder(&self, x: f64, y: f64) -> Option<(f64, f64)> {
+        let ends = self.ladders.iter().filter_map(|(outline, mover)| {
+            let offset = mover.map_or(DVec2::ZERO, |i| self.offsets[i]);
+            let (left, right) = ends_at(outline, y - offset.y)?;
+            Some((left + offset.x, right + offset.x))
+        });
+        let mut around = ends.filter(|&(left, right)| left <= x && x <= right);
+        around.next()
     }
 }

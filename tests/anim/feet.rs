@@ -9,7 +9,7 @@ const SOLE: [f32; 2] = [-0.055, 0.105];
 const TICK: f64 = 1.0 / 120.0;
 
 /// The two ends of a sole in the level.
-fn sole(shown: &Shown, side: usize) -> [DVec2; 2] {
+pub fn sole(shown: &Shown, side: usize) -> [DVec2; 2] {
     let leg = &RIG.legs[side];
     let bone = shown.bones(&RIG)[leg.bones[2]];
     SOLE.map(|x| {

@@ -1,5 +1,6 @@
 //! The hero's figure without a picture: planted feet, no jump between two poses, springs that stay calm, nothing allocated.
 
+mod brinks;
 mod feet;
 mod model;
 mod stage;
