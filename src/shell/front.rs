@@ -96,7 +96,7 @@ impl Front {
 impl App {
     /// Opens a menu; the hero is let go of.
     pub fn open_menu(&mut self, screen: Screen) {
-        self.controls.release_all();
+        self.controls.set_aside();
         self.front.navigator.clear();
         let progress = &self.front.store.progress;
         self.front.facts.has_run = progress.unfinished().is_some();
@@ -109,7 +109,7 @@ impl App {
     pub(super) fn close_menu(&mut self) {
         self.front.menu.close();
         self.front.navigator.clear();
-        self.controls.release_all();
+        self.controls.take_back();
     }
 
     /// The pause menu, unless something else is open.

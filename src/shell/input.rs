@@ -42,15 +42,20 @@ const ACTION_KEYS: &[(Scancode, Action)] = &[
 /// Keys that work even while a text field has the keyboard: nobody types them.
 const ALWAYS: &[Scancode] = &[Scancode::F1, Scancode::F11];
 
+/// What is done for as long as it is held, and leads the hero somewhere.
+const LEADS: [Deed; 4] = [Deed::Left, Deed::Right, Deed::Up, Deed::Down];
+
 /// The state of all input devices, between ticks.
 #[derive(Default)]
 pub struct Controls {
     bindings: Bindings,
     crouch: Hold,
-    keys: Vec<Scancode>, // held, in the order in which they went down
+    keys: Vec<Scancode>,  // held, in the order in which they went down
+    aside: Vec<Scancode>, // held as well, but since something else had the keyboard
     pads: Pads,
     jump: Tap,
     toggled: bool, // crouching until it is pressed again
+    away: bool,    // something else has the keys and the buttons
     retry: bool,   // asked for since the last tick
     respawn: bool, // likewise
     device: Device,
@@ -103,6 +108,7 @@ impl Controls {
                 ..
             } => {
                 self.keys.retain(|held| *held != code);
+                self.aside.retain(|held| *held != code);
                 self.jump.released |= self.does(code, Deed::Jump);
                 None
             }
@@ -143,6 +149,7 @@ impl Controls {
             return Some(Action::Fullscreen);
         }
         if typing && !ALWAYS.contains(&code) {
+            self.aside.push(code);
             return None;
         }
         let mut is_bound = false;
@@ -223,10 +230,37 @@ impl Controls {
         self.retry || self.respawn
     }
 
+    /// Something else has the keys and the buttons from now on: what is held is remembered, and moves nobody.
+    pub fn set_aside(&mut self) {
+        let mut held = std::mem::take(&mut self.aside);
+        held.append(&mut self.keys);
+        self.let_go();
+        self.pads.set_aside();
+        (self.aside, self.away) = (held, true);
+    }
+
+    /// The hero has the keys and the buttons again: those that lead him somewhere count at once if they are still held or
+    /// were pressed meanwhile. What happens in a moment (a jump, going back) has to be asked for anew.
+    pub fn take_back(&mut self) {
+        self.let_go();
+        let held = std::mem::take(&mut self.aside);
+        let leads = |key: &Scancode| LEADS.iter().any(|deed| self.does(*key, *deed));
+        self.keys = held.into_iter().filter(leads).collect();
+        let buttons = LEADS.map(|deed| self.bindings.button(deed));
+        self.pads.take_back(&buttons);
+        (self.jump, self.away) = (Tap::default(), false);
+    }
+
     /// Lets go of every key and button.
     pub fn release_all(&mut self) {
-        self.release_keys();
+        self.let_go();
+        self.aside.clear();
         self.pads.release_all();
+    }
+
+    /// Nothing that was pressed or asked for counts any more.
+    fn let_go(&mut self) {
+        self.release_keys();
         (self.retry, self.respawn, self.toggled) = (false, false, false);
         self.jump.pressed = false;
     }
@@ -239,6 +273,13 @@ impl Controls {
 
     /// The input of the next tick.
     pub fn take(&mut self) -> Input {
+        if self.away {
+            return Input {
+                retry: std::mem::take(&mut self.retry),
+                respawn: std::mem::take(&mut self.respawn),
+                ..Input::default()
+            };
+        }
         let jump = self.holds(Deed::Jump);
         let crouches = self.toggled || self.crouch == Hold::Hold && self.holds(Deed::Crouch);
         Input {
@@ -253,7 +294,9 @@ impl Controls {
 
     /// Where the player wants to look, from -1 (down) to 1 (up).
     pub fn look(&self) -> f64 {
-        if self.keys.iter().any(|key| self.does(*key, Deed::Up)) {
+        if self.away {
+            0.0
+        } else if self.keys.iter().any(|key| self.does(*key, Deed::Up)) {
             1.0
         } else {
             self.pads.look()

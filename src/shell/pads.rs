@@ -19,6 +19,7 @@ struct Pad {
     stick: [f64; 2], // left stick, right and down positive
     look: f64,       // right stick, down positive
     held: Vec<Button>,
+    aside: Vec<Button>, // held as well, but since something else had the buttons
     make: Make,
 }
 
@@ -74,6 +75,7 @@ impl Pads {
                 stick: [0.0; 2],
                 look: 0.0,
                 held: Vec::new(),
+                aside: Vec::new(),
             });
         }
         Ok(())
@@ -100,16 +102,21 @@ impl Pads {
                 self.axis(which, axis, f64::from(value) / f64::from(i16::MAX));
                 Change::None
             }
-            Event::ControllerButtonDown { which, button, .. } if !taken => {
-                let Some(pad) = self.find(which) else {
-                    return Change::None;
-                };
-                pad.held.push(button);
-                Change::Down(button)
-            }
+            Event::ControllerButtonDown { which, button, .. } => match self.find(which) {
+                Some(pad) if taken => {
+                    pad.aside.push(button);
+                    Change::None
+                }
+                Some(pad) => {
+                    pad.held.push(button);
+                    Change::Down(button)
+                }
+                None => Change::None,
+            },
             Event::ControllerButtonUp { which, button, .. } => {
                 if let Some(pad) = self.find(which) {
                     pad.held.retain(|held| *held != button);
+                    pad.aside.retain(|held| *held != button);
                 }
                 Change::Up(button)
             }
@@ -161,6 +168,22 @@ impl Pads {
         for pad in &mut self.pads {
             (pad.stick, pad.look) = ([0.0; 2], 0.0);
             pad.held.clear();
+            pad.aside.clear();
+        }
+    }
+
+    /// Something else has the buttons from now on: what is held is remembered, and the sticks are still followed.
+    pub fn set_aside(&mut self) {
+        for pad in &mut self.pads {
+            pad.aside.append(&mut pad.held);
+        }
+    }
+
+    /// The hero has the buttons again; of those that are held, these count.
+    pub fn take_back(&mut self, buttons: &[Option<Button>]) {
+        for pad in &mut self.pads {
+            pad.held = std::mem::take(&mut pad.aside);
+            pad.held.retain(|held| buttons.contains(&Some(*held)));
         }
     }
 

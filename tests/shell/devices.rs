@@ -38,6 +38,46 @@ pub fn keys_move_the_hero(_: &Path) {
     assert_eq!(app.play.world.view().position.x, start.x);
 }
 
+/// Held keys and a stick that is pushed while a menu is open, as by a player who waits for a level to begin.
+pub fn what_is_held_when_a_menu_closes_leads_the_hero(_: &Path) {
+    let mut app = open(&options(FLAT));
+    let runs = |app: &App| app.play.world.view().velocity.x;
+    frames(&mut app, 10);
+    tap(&mut app, Scancode::Escape);
+    assert!(app.front.is_open());
+    for code in [Scancode::D, Scancode::Space] {
+        key(&app, code, true);
+        frames(&mut app, 2);
+    }
+    assert!(!app.front.is_open(), "Space resumes");
+    frames(&mut app, 10);
+    let view = app.play.world.view();
+    assert!(view.velocity.x > 4.0, "D was held: {}", view.velocity);
+    assert_eq!(view.stance, Stance::Ground, "Space was not for him");
+    // What is held when a menu opens goes on when it closes, unless it was let go of meanwhile.
+    tap(&mut app, Scancode::Escape);
+    tap(&mut app, Scancode::Escape);
+    frames(&mut app, 10);
+    assert!(runs(&app) > 4.0, "{}", runs(&app));
+    tap(&mut app, Scancode::Escape);
+    key(&app, Scancode::D, false);
+    frames(&mut app, 1);
+    tap(&mut app, Scancode::Escape);
+    frames(&mut app, 20);
+    assert_eq!(runs(&app), 0.0);
+    let pad = VirtualPad::plug_in();
+    frames(&mut app, 2);
+    tap(&mut app, Scancode::Escape);
+    pad.set(0, i16::MAX, 0, false);
+    frames(&mut app, 2);
+    tap(&mut app, Scancode::Escape);
+    frames(&mut app, 10);
+    assert!(runs(&app) > 4.0, "the stick was pushed: {}", runs(&app));
+    pad.pull_out();
+    frames(&mut app, 20);
+    assert_eq!(runs(&app), 0.0, "a pad that is gone holds nothing");
+}
+
 pub fn a_stall_is_dropped(_: &Path) {
     let mut app = open(&options(FLAT));
     app.frame(Duration::from_secs(600)).unwrap();

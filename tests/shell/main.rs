@@ -29,6 +29,10 @@ type Test = (&'static str, fn(&Path));
 
 const TESTS: &[Test] = &[
     ("keys move the hero", devices::keys_move_the_hero),
+    (
+        "what is held when a menu closes leads the hero",
+        devices::what_is_held_when_a_menu_closes_leads_the_hero,
+    ),
     ("a stall is dropped", devices::a_stall_is_dropped),
     ("losing the focus pauses", devices::losing_the_focus_pauses),
     ("pause, step, speed", devices::pause_step_speed),
