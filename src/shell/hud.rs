@@ -11,11 +11,14 @@ use crate::game::{View, World};
 use std::fmt::Write;
 use std::mem::take;
 
-/// Seconds of an area's name: until it is there, until it begins to go, until it is gone.
-const NAME: [f32; 3] = [0.9, 3.6, 5.0];
+/// Seconds of an area's name: until it is there, until it begins to go, until it is gone. What goes, goes quickly: half gone
+/// it cannot be read.
+const NAME: [f32; 3] = [0.6, 4.4, 5.0];
 /// The same of the first prompts, of a checkpoint, of a secret.
-const PROMPTS: [f32; 3] = [1.4, 9.0, 10.5];
-const WORD: [f32; 3] = [0.25, 2.2, 3.2];
+const PROMPTS: [f32; 3] = [0.8, 9.9, 10.5];
+const WORD: [f32; 3] = [0.2, 2.9, 3.3];
+/// Share of the last second of a notice in which it goes: who reads slowly can read it until then.
+const NOTICE_GOES: f32 = 0.4;
 /// Seconds in which the picture comes out of the dark after another world was entered.
 const CURTAIN: f32 = 0.8;
 /// Seconds in which the flash of a death is over, and the most it covers.
@@ -28,8 +31,20 @@ const NAME_AT: f32 = 0.235;
 const WORD_AT: f32 = 0.135;
 const NOTICE_AT: f32 = 0.075;
 const PROMPTS_AT: f32 = 0.935;
-/// How dark the picture is made behind large and small words, so that they read before a bright sky and a lit gate.
-const SHADE: [f32; 2] = [0.72, 0.6];
+/// How dark the picture is made behind large words, behind small ones and behind problems, so that they read before a bright
+/// sky and a lit gate: letters have at least 4.5 times the light of what is behind them.
+const SHADE: f32 = 0.78;
+const PLATE: f32 = 0.72;
+const PROBLEM_PLATE: f32 = 0.84;
+/// Height of a plate behind a line, how much of that is over the baseline, and how far it reaches beyond the words, in sizes
+/// of the letters.
+const PLATE_HEIGHT: f32 = 2.0;
+const PLATE_OVER: f32 = 1.36;
+const PLATE_BESIDE: f32 = 1.1;
+/// Heights of the lines of a problem, and the room between two problems and at their sides, at that height.
+const PROBLEM_LINES: [f32; 2] = [21.0, 20.0];
+const PROBLEM_GAP: f32 = 16.0;
+const PROBLEM_ROOM: f32 = 12.0;
 /// Widest problem that is told in one line, as a share of the picture's width.
 const PROBLEM_WIDTH: f32 = 0.46;
 
@@ -176,19 +191,31 @@ impl Hud {
         let [width, height] = text.size();
         let unit = height / DESIGN;
         let style = body(15.0 * unit);
+        let [title_line, line] = PROBLEM_LINES.map(|line| line * unit);
         let right = width - 24.0 * unit;
         let mut y = 34.0 * unit;
         for (topic, reason) in notices.problems() {
             let title = format!("{}: {}", topic.name(), topic.remedy());
+            let paragraphs = reason.lines();
+            let lines: Vec<&str> = paragraphs
+                .flat_map(|words| text.broken(style, words, width * PROBLEM_WIDTH))
+                .collect();
+            let widest = lines
+                .iter()
+                .map(|words| text.width(style, words))
+                .fold(text.width(style, &title), f32::max);
+            let room = PROBLEM_ROOM * unit;
+            let high = title_line + lines.len() as f32 * line;
+            let (top, wide) = (y - line + 1.0 * unit, widest + 2.0 * room);
+            let plate = [right - widest - room, top, wide, high + 0.4 * line];
+            text.rect(plate, with_alpha(INK, PROBLEM_PLATE));
             text.ending(style.in_colour(ALARM), right, y, &title);
-            y += 21.0 * unit;
-            for paragraph in reason.lines() {
-                for line in text.broken(style, paragraph, width * PROBLEM_WIDTH) {
-                    text.ending(style, right, y, line);
-                    y += 20.0 * unit;
-                }
+            y += title_line;
+            for words in lines {
+                text.ending(style, right, y, words);
+                y += line;
             }
-            y += 8.0 * unit;
+            y += PROBLEM_GAP * unit;
         }
     }
 
@@ -288,7 +315,7 @@ impl<'a> Pen<'a> {
         };
         let y = self.height * NAME_AT;
         let (wide, high) = (self.text.width(style, name) + 420.0 * unit, 250.0 * unit);
-        self.shade(y + 16.0 * unit, [wide, high], SHADE[0] * opacity);
+        self.shade(y + 16.0 * unit, [wide, high], SHADE * opacity);
         self.text.centred(style, self.middle, y, name);
         let [line, thick] = [y + 24.0 * unit, (1.3 * unit).max(1.0).round()].map(f32::round);
         let reach = self.text.width(style, name) / 2.0 + 40.0 * unit;
@@ -315,6 +342,20 @@ impl<'a> Pen<'a> {
         self.text.glow([self.middle, y], size, colour);
     }
 
+    /// A dark plate behind a line of small words.
+    fn plate(&mut self, [left, right]: [f32; 2], baseline: f32, px: f32, opacity: f32) {
+        let beside = PLATE_BESIDE * px;
+        let top = baseline - PLATE_OVER * px;
+        let plate = [
+            left - beside,
+            top,
+            right - left + 2.0 * beside,
+            PLATE_HEIGHT * px,
+        ];
+        self.text
+            .pill(plate, true, with_alpha(INK, PLATE * opacity));
+    }
+
     /// A word with a light beside it.
     fn word(&mut self, word: &str, opacity: f32) {
         if opacity <= 0.0 {
@@ -325,9 +366,8 @@ impl<'a> Pen<'a> {
         let y = self.height * WORD_AT;
         let width = self.text.width(style, word);
         let start = self.middle - width / 2.0;
-        let room = [width + 240.0 * unit, 110.0 * unit];
-        self.shade(y - 8.0 * unit, room, SHADE[1] * opacity);
         let at = [start - 20.0 * unit, y - self.text.cap_height(style) / 2.0];
+        self.plate([at[0], start + width], y, style.px, opacity);
         self.text
             .glow(at, [90.0 * unit; 2], with_alpha(WARM, 0.45 * opacity));
         self.text
@@ -337,9 +377,13 @@ impl<'a> Pen<'a> {
 
     /// What is said in passing.
     fn notice(&mut self) {
-        if let Some((words, opacity)) = self.scene.notices.notice() {
+        if let Some((words, left)) = self.scene.notices.notice() {
+            let opacity = (left / NOTICE_GOES).min(1.0);
             let style = body(20.0 * self.unit).in_colour(with_alpha(PAPER, opacity));
             let y = self.height * NOTICE_AT;
+            let half = self.text.width(style, words) / 2.0;
+            let ends = [self.middle - half, self.middle + half];
+            self.plate(ends, y, style.px, opacity);
             self.text.centred(style, self.middle, y, words);
         }
     }
@@ -365,13 +409,7 @@ impl<'a> Pen<'a> {
             .sum();
         let baseline = (self.height * PROMPTS_AT).round();
         let mut x = self.middle - (all - between) / 2.0;
-        let plate = [
-            x - px * 1.2,
-            baseline - px * 1.55,
-            all - between + px * 2.4,
-            px * 2.4,
-        ];
-        self.text.pill(plate, true, with_alpha(INK, 0.62 * opacity));
+        self.plate([x, x + all - between], baseline, px, opacity);
         for (found, words) in groups {
             for cap in found.iter().flatten() {
                 x = caps::draw(self.text, cap, x, baseline, px, style.colour) + within;
@@ -393,9 +431,34 @@ mod tests {
 
     #[test]
     fn a_name_comes_stays_and_goes() {
-        let times = [0.0, 0.45, 2.0, 4.3, 6.0].map(|t| shown(t, NAME));
+        let times = [0.0, 0.3, 2.0, 4.7, 6.0].map(|t| shown(t, NAME));
         for (found, wanted) in times.into_iter().zip([0.0, 0.5, 1.0, 0.5, 0.0]) {
             assert!((found - wanted).abs() < 1e-6, "{times:?}");
+        }
+    }
+    /// The brightest sky behind words, as a share of white: none of the golden skies has more.
+    const SKY: f32 = 0.93;
+
+    fn light([r, g, b, _]: [f32; 4]) -> f32 {
+        let linear = |c: f32| match c <= 0.04045 {
+            true => c / 12.92,
+            false => ((c + 0.055) / 1.055).powf(2.4),
+        };
+        0.2126 * linear(r) + 0.7152 * linear(g) + 0.0722 * linear(b)
+    }
+
+    #[test]
+    fn words_read_before_the_brightest_sky() {
+        for (ink, plate) in [
+            (PAPER, SHADE),
+            (PAPER, PLATE),
+            (WARM, PLATE),
+            (PAPER, PROBLEM_PLATE),
+            (ALARM, PROBLEM_PLATE),
+        ] {
+            let behind = INK.map(|ink| SKY + (ink - SKY) * plate);
+            let contrast = (light(ink) + 0.05) / (light(behind) + 0.05);
+            assert!(contrast >= 4.5, "{ink:?} on {plate}: {contrast}");
         }
     }
 }
