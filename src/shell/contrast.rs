@@ -9,8 +9,11 @@ use glam::{DVec2, Vec3};
 /// Colours of the hero and of what kills.
 const HERO: [f32; 4] = [0.45, 1.0, 1.0, 1.0];
 const DANGER: [f32; 4] = [1.0, 0.16, 0.12, 1.0];
-/// Width of the outlines, as a share of the picture's height.
-const WIDTH: f32 = 0.005;
+/// Under them, so that they are seen on a bright sky and pale stone as well as in the dark.
+const UNDER: [f32; 4] = [0.02, 0.02, 0.04, 1.0];
+/// Width of the outlines, and of what is under them, as shares of the picture's height.
+const WIDTH: f32 = 0.006;
+const UNDER_WIDTH: f32 = 0.011;
 /// Before the plane of play, so that no front covers them, in metres.
 const BEFORE: f32 = 0.2;
 
@@ -23,13 +26,13 @@ pub fn outline(
     height: u32,
     lines: &mut Vec<Line>,
 ) {
-    let width = height as f32 * WIDTH;
+    let height = height as f32;
     for feature in hazards(&level.features) {
         ring(
             feature.outline.iter().copied(),
             DVec2::ZERO,
             DANGER,
-            width,
+            height,
             lines,
         );
     }
@@ -39,14 +42,14 @@ pub fn outline(
                 feature.outline.iter().copied(),
                 offset,
                 DANGER,
-                width,
+                height,
                 lines,
             );
         }
     }
     let Shape { stand, crouch } = hero;
     let body = if view.crouched { crouch } else { stand };
-    ring(corners(body), view.position, HERO, width, lines);
+    ring(corners(body), view.position, HERO, height, lines);
 }
 
 /// What kills whoever comes into it.
@@ -59,22 +62,24 @@ fn corners(body: &Collider) -> impl ExactSizeIterator<Item = DVec2> + Clone + '_
     body.corners().iter().map(|corner| corner.metres())
 }
 
-/// A closed line through some corners.
+/// A closed line through some corners, with a dark edge, in a picture of that height.
 fn ring(
     corners: impl ExactSizeIterator<Item = DVec2> + Clone,
     offset: DVec2,
     colour: [f32; 4],
-    width: f32,
+    height: f32,
     lines: &mut Vec<Line>,
 ) {
     let at = |corner: DVec2| -> Vec3 { (corner + offset).as_vec2().extend(BEFORE) };
-    let next = corners.clone().cycle().skip(1);
-    lines.extend(corners.zip(next).map(|(a, b)| Line {
-        a: at(a),
-        b: at(b),
-        colour,
-        width,
-    }));
+    for (colour, width) in [(UNDER, UNDER_WIDTH), (colour, WIDTH)] {
+        let next = corners.clone().cycle().skip(1);
+        lines.extend(corners.clone().zip(next).map(|(a, b)| Line {
+            a: at(a),
+            b: at(b),
+            colour,
+            width: width * height,
+        }));
+    }
 }
 
 #[cfg(test)]
@@ -104,6 +109,9 @@ mod tests {
         let shape = Shape::hero();
         outline(&level, (&view, &shape), &offsets, 720, &mut lines);
         let hero = shape.stand.corners().len();
+        assert_eq!(lines.len(), 2 * (3 + 4 + hero), "each with a dark edge");
+        assert!(lines[0].colour == UNDER && lines[0].width > lines[3].width);
+        lines.retain(|line| line.colour != UNDER);
         assert_eq!(lines.len(), 3 + 4 + hero);
         assert_eq!(lines[0].a, Vec3::new(3.0, 0.0, BEFORE));
         assert_eq!(
