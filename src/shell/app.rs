@@ -146,7 +146,8 @@ impl App {
             accessibility,
             ..
         } = app.settings().clone();
-        app.controls.set(&controls, accessibility.crouch);
+        app.controls
+            .set(&controls, accessibility.crouch, accessibility.moves);
         if !options.mute && options.screenshot.is_none() {
             app.open_audio();
         }

@@ -50,14 +50,16 @@ const LEADS: [Deed; 4] = [Deed::Left, Deed::Right, Deed::Up, Deed::Down];
 pub struct Controls {
     bindings: Bindings,
     crouch: Hold,
+    moves: Hold,
     keys: Vec<Scancode>,  // held, in the order in which they went down
     aside: Vec<Scancode>, // held as well, but since something else had the keyboard
     pads: Pads,
     jump: Tap,
-    toggled: bool, // crouching until it is pressed again
-    away: bool,    // something else has the keys and the buttons
-    retry: bool,   // asked for since the last tick
-    respawn: bool, // likewise
+    toggled: bool,       // crouching until it is pressed again
+    going: Option<Deed>, // likewise, where he is led
+    away: bool,          // something else has the keys and the buttons
+    retry: bool,         // asked for since the last tick
+    respawn: bool,       // likewise
     device: Device,
 }
 
@@ -83,11 +85,11 @@ impl Tap {
 }
 
 impl Controls {
-    /// What does what from now on, and how crouching works.
-    pub fn set(&mut self, hands: &Hands, crouch: Hold) {
+    /// What does what from now on, and how crouching works, and running and climbing.
+    pub fn set(&mut self, hands: &Hands, crouch: Hold, moves: Hold) {
         self.bindings = hands.bindings.clone();
-        self.crouch = crouch;
-        self.toggled = false;
+        (self.crouch, self.moves) = (crouch, moves);
+        (self.toggled, self.going) = (false, None);
         self.pads
             .set_dead_zones(hands.move_dead_zone, hands.look_dead_zone);
     }
@@ -171,6 +173,9 @@ impl Controls {
 
     /// What counts at the moment in which something goes down.
     fn press(&mut self, deed: Deed) {
+        if self.is_toggled(deed) {
+            self.going = (self.going != Some(deed)).then_some(deed);
+        }
         match deed {
             Deed::Jump => {
                 self.jump.pressed = true;
@@ -180,7 +185,7 @@ impl Controls {
             Deed::Crouch if self.crouch == Hold::Toggle => self.toggled = !self.toggled,
             Deed::Retry => {
                 self.respawn = true;
-                self.toggled = false;
+                (self.toggled, self.going) = (false, None);
             }
             _ => {}
         }
@@ -262,6 +267,7 @@ impl Controls {
     fn let_go(&mut self) {
         self.release_keys();
         (self.retry, self.respawn, self.toggled) = (false, false, false);
+        self.going = None;
         self.jump.pressed = false;
     }
 
@@ -296,7 +302,7 @@ impl Controls {
     pub fn look(&self) -> f64 {
         if self.away {
             0.0
-        } else if self.keys.iter().any(|key| self.does(*key, Deed::Up)) {
+        } else if self.is_led(Deed::Up) {
             1.0
         } else {
             self.pads.look()
@@ -307,156 +313,47 @@ impl Controls {
         self.bindings.keys(deed).contains(&Some(key))
     }
 
+    /// Whether a deed lasts from one press to the next rather than for as long as it is held.
+    fn is_toggled(&self, deed: Deed) -> bool {
+        self.moves == Hold::Toggle && LEADS.contains(&deed)
+    }
+
+    /// By a key, or from one press to the next.
+    fn is_led(&self, deed: Deed) -> bool {
+        match self.is_toggled(deed) {
+            true => self.going == Some(deed),
+            false => self.keys.iter().any(|key| self.does(*key, deed)),
+        }
+    }
+
     fn holds(&self, deed: Deed) -> bool {
-        let button = self.bindings.button(deed);
-        self.keys.iter().any(|key| self.does(*key, deed))
-            || button.is_some_and(|button| self.pads.holds(button))
+        let button = self
+            .bindings
+            .button(deed)
+            .filter(|_| !self.is_toggled(deed));
+        self.is_led(deed) || button.is_some_and(|button| self.pads.holds(button))
     }
 
     /// The keyboard before the controllers, and of two opposite keys the later one.
     fn run(&self) -> i8 {
-        let way = |key: &Scancode| match () {
-            () if self.does(*key, Deed::Left) => Some(-127),
-            () if self.does(*key, Deed::Right) => Some(127),
-            () => None,
+        let way = |deed: Deed| match deed {
+            Deed::Left => Some(-127),
+            Deed::Right => Some(127),
+            _ => None,
         };
-        let last = self.keys.iter().rev().find_map(way);
+        if self.moves == Hold::Toggle {
+            let going = self.going.and_then(way);
+            return going.unwrap_or_else(|| self.pads.run([None, None]));
+        }
+        let key_way = |key: &Scancode| {
+            let mut sides = [Deed::Left, Deed::Right].into_iter();
+            sides.find(|side| self.does(*key, *side)).and_then(way)
+        };
+        let last = self.keys.iter().rev().find_map(key_way);
         let buttons = [Deed::Left, Deed::Right].map(|deed| self.bindings.button(deed));
         last.unwrap_or_else(|| self.pads.run(buttons))
     }
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn key(code: Scancode, down: bool) -> Event {
-        let (timestamp, window_id, keycode, keymod) = (0, 0, None, Mod::NOMOD);
-        let (scancode, repeat) = (Some(code), false);
-        if down {
-            Event::KeyDown {
-                timestamp,
-                window_id,
-                keycode,
-                scancode,
-                keymod,
-                repeat,
-            }
-        } else {
-            Event::KeyUp {
-                timestamp,
-                window_id,
-                keycode,
-                scancode,
-                keymod,
-                repeat,
-            }
-        }
-    }
-
-    fn controls(events: &[(Scancode, bool)]) -> Controls {
-        let mut controls = Controls::default();
-        for (code, down) in events {
-            controls.handle(&key(*code, *down), false);
-        }
-        controls
-    }
-
-    #[test]
-    fn keys_do_what_they_are_given_and_what_they_are_given_asks_for_nothing_else() {
-        let mut hands = Hands::default();
-        assert!(hands.bindings.set_key(Deed::Jump, 0, Some(Scancode::P)));
-        let mut controls = Controls::default();
-        assert_eq!(
-            controls.handle(&key(Scancode::P, true), false),
-            Some(Action::Hold)
-        );
-        controls.set(&hands, Hold::Hold);
-        assert_eq!(controls.handle(&key(Scancode::P, true), false), None);
-        assert!(controls.take().jump);
-        assert_eq!(
-            controls.handle(&key(Scancode::Escape, true), false),
-            Some(Action::Pause)
-        );
-    }
-
-    #[test]
-    fn crouching_is_held_or_toggled() {
-        let mut held = controls(&[(Scancode::C, true)]);
-        assert!(held.take().down);
-        held.handle(&key(Scancode::C, false), false);
-        assert!(!held.take().down);
-        let mut toggled = Controls::default();
-        toggled.set(&Hands::default(), Hold::Toggle);
-        let mut tap = |code| {
-            toggled.handle(&key(code, true), false);
-            toggled.handle(&key(code, false), false);
-            toggled.take().down
-        };
-        assert_eq!(
-            [Scancode::C, Scancode::C, Scancode::C].map(&mut tap),
-            [true, false, true]
-        );
-        assert!(!tap(Scancode::Space), "a jump ends it");
-        assert!(tap(Scancode::C) && !tap(Scancode::R), "so does going back");
-    }
-
-    #[test]
-    fn of_two_opposite_keys_the_later_one_counts() {
-        let mut both = controls(&[(Scancode::A, true), (Scancode::Right, true)]);
-        assert_eq!(both.take().run, 127);
-        both.handle(&key(Scancode::Right, false), false);
-        assert_eq!(both.take().run, -127);
-    }
-
-    #[test]
-    fn a_tap_between_two_ticks_is_one_tick_long() {
-        let mut tapped = controls(&[(Scancode::Space, true), (Scancode::Space, false)]);
-        assert!(tapped.take().jump);
-        assert!(!tapped.take().jump);
-    }
-
-    #[test]
-    fn letting_go_and_pressing_again_between_two_ticks_is_a_new_press() {
-        let mut held = controls(&[(Scancode::Space, true)]);
-        assert!(held.take().jump);
-        held.handle(&key(Scancode::Space, false), false);
-        held.handle(&key(Scancode::Space, true), false);
-        assert!(!held.take().jump);
-        assert!(held.take().jump && held.take().jump);
-    }
-
-    #[test]
-    fn going_back_is_asked_for_once_per_press() {
-        let mut back = controls(&[(Scancode::R, true)]);
-        assert!(back.take().respawn);
-        assert!(!back.take().respawn);
-    }
-
-    #[test]
-    fn keys_typed_into_a_field_do_not_reach_the_game() {
-        let mut controls = Controls::default();
-        assert_eq!(controls.handle(&key(Scancode::D, true), true), None);
-        assert_eq!(controls.handle(&key(Scancode::P, true), true), None);
-        assert_eq!(
-            controls.handle(&key(Scancode::F1, true), true),
-            Some(Action::Overlay)
-        );
-        assert_eq!(controls.take(), Input::default());
-    }
-
-    #[test]
-    fn released_keys_stay_up_until_pressed_again() {
-        let mut held = controls(&[
-            (Scancode::D, true),
-            (Scancode::Space, true),
-            (Scancode::W, true),
-        ]);
-        assert_eq!(held.look(), 1.0);
-        assert!(held.take().jump);
-        held.release_all();
-        assert_eq!((held.take(), held.look()), (Input::default(), 0.0));
-        held.handle(&key(Scancode::D, true), false);
-        assert_eq!(held.take().run, 127);
-    }
-}
+mod tests;

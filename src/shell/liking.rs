@@ -73,7 +73,7 @@ impl App {
             video,
             audio,
             controls,
-            accessibility,
+            ..
         } = self.front.live.clone();
         let mut result = Ok(());
         if video.fullscreen != before.video.fullscreen {
@@ -89,8 +89,13 @@ impl App {
             let preset = self.renderer.set_preset(video.preset.unwrap_or_default());
             result = result.and(preset.map_err(|e| e.to_string()));
         }
-        if controls != before.controls || accessibility.crouch != before.accessibility.crouch {
-            self.controls.set(&controls, accessibility.crouch);
+        let holds = |settings: &Settings| {
+            let access = &settings.accessibility;
+            (access.crouch, access.moves)
+        };
+        let (crouch, moves) = holds(&self.front.live);
+        if controls != before.controls || (crouch, moves) != holds(before) {
+            self.controls.set(&controls, crouch, moves);
         }
         if audio != before.audio {
             self.apply_volumes();
@@ -124,8 +129,11 @@ impl App {
     pub(super) fn save_settings(&mut self) {
         self.front.unsaved = None;
         match self.front.store.save_settings() {
-            Ok(()) => self.notices.solve(Topic::Settings),
-            Err(error) => self.notices.fail(Topic::Settings, error),
+            Ok(()) => {
+                self.notices.solve(Topic::Settings);
+                self.notices.solve(Topic::Unsaved);
+            }
+            Err(error) => self.notices.fail(Topic::Unsaved, error),
         }
     }
 

@@ -20,9 +20,11 @@ pub enum Topic {
     Device,
     /// The recording.
     Recording,
-    /// The file of the settings.
+    /// What was read of settings and progress.
     Settings,
-    /// The file of what has been reached.
+    /// Settings that could not be saved.
+    Unsaved,
+    /// What has been reached and could not be saved.
     Progress,
     /// A sound's file.
     Sound,
@@ -38,7 +40,7 @@ impl Topic {
             Topic::Hero => "Hero",
             Topic::Device => "Device",
             Topic::Recording => "Recording",
-            Topic::Settings => "Settings",
+            Topic::Settings | Topic::Unsaved => "Settings",
             Topic::Progress => "Progress",
             Topic::Sound => "Sound",
         }
@@ -52,7 +54,9 @@ impl Topic {
             }
             Topic::Device | Topic::Recording => "the game goes on",
             Topic::Sound => "the game goes on without it",
-            Topic::Settings | Topic::Progress => "the game goes on with what it could read",
+            Topic::Settings => "the game goes on with what it could read",
+            Topic::Unsaved => "not saved, they hold until the game is left",
+            Topic::Progress => "not saved, the game goes on and tries again at the next checkpoint",
         }
     }
 }
@@ -106,6 +110,14 @@ impl Notices {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_could_not_be_written_is_not_said_to_be_read() {
+        for topic in [Topic::Unsaved, Topic::Progress] {
+            assert!(topic.remedy().starts_with("not saved"), "{topic:?}");
+        }
+        assert!(Topic::Settings.remedy().contains("read"));
+    }
 
     #[test]
     fn a_problem_stays_until_solved_and_a_notice_fades() {

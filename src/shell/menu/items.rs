@@ -108,6 +108,8 @@ pub enum Item {
     Contrast,
     /// Crouching by holding or by pressing.
     Crouch,
+    /// Running and climbing by holding or by pressing.
+    Moves,
     /// It is meant.
     Yes,
     /// Back to the page before.
@@ -162,6 +164,7 @@ pub fn entries(screen: Screen, facts: &Facts) -> Vec<Item> {
             I::Shake,
             I::Flashes,
             I::Crouch,
+            I::Moves,
             I::Back,
         ],
         Screen::Credits => vec![I::Back],
@@ -258,6 +261,7 @@ impl Item {
             Item::Speed => "Game speed",
             Item::Contrast => "High contrast",
             Item::Crouch => "Crouching",
+            Item::Moves => "Running and climbing",
             Item::Yes => "Yes",
             Item::Back => "Back",
         }
@@ -280,6 +284,7 @@ impl Item {
             Item::Crouch => {
                 "Held as long as the key is, or pressed once to go down and once to stand up."
             }
+            Item::Moves => "Held, or pressed once to go and once to stop. Sticks are always held.",
             Item::ResetControls => "All keys, buttons and dead zones as they were.",
             Item::Shake => "How much hard landings shake the picture.",
             Item::Flashes => {

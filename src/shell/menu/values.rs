@@ -53,13 +53,19 @@ pub fn value(item: Item, settings: &Settings) -> Value {
             None => "Automatic".into(),
             Some(preset) => format!("{preset:?}"),
         }),
-        Item::Crouch => Value::Choice(match access.crouch {
-            Hold::Hold => "Hold".into(),
-            Hold::Toggle => "Press".into(),
-        }),
+        Item::Crouch => held(access.crouch),
+        Item::Moves => held(access.moves),
         Item::Bind(_) => Value::Keys,
         _ => switch(item, &mut settings.clone()).map_or(Value::None, |on| Value::Switch(*on)),
     }
+}
+
+/// How a key counts, in a word.
+fn held(hold: Hold) -> Value {
+    Value::Choice(match hold {
+        Hold::Hold => "Hold".into(),
+        Hold::Toggle => "Press".into(),
+    })
 }
 
 /// Moves an entry's value by one step, up or down; whether it has changed. Choices go round.
@@ -84,9 +90,13 @@ pub fn step(item: Item, settings: &mut Settings, up: bool) -> bool {
             let now = settings.video.preset.unwrap_or_default();
             settings.video.preset = Some(next(&Preset::ALL, now, up));
         }
-        Item::Crouch => {
-            let crouch = &mut settings.accessibility.crouch;
-            *crouch = next(&[Hold::Hold, Hold::Toggle], *crouch, up);
+        Item::Crouch | Item::Moves => {
+            let access = &mut settings.accessibility;
+            let hold = match item {
+                Item::Crouch => &mut access.crouch,
+                _ => &mut access.moves,
+            };
+            *hold = next(&[Hold::Hold, Hold::Toggle], *hold, up);
         }
         _ => {}
     }
@@ -174,6 +184,7 @@ mod tests {
             Item::FrameCap,
             Item::Preset,
             Item::Crouch,
+            Item::Moves,
             Item::Fullscreen,
         ] {
             let mut seen = vec![value(item, &settings)];

@@ -111,6 +111,8 @@ group! {
         contrast: bool = false;
         /// Whether crouching lasts as long as its key is held.
         crouch: Hold = Hold::Hold;
+        /// Whether running and climbing last as long as their keys are held.
+        moves: Hold = Hold::Hold;
     }
 }
 
