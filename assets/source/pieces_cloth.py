@@ -42,9 +42,9 @@ def pattern(rows, key):
 
 def banner():
     p = Piece("banner", sway=0.5, dirt=0.1)
-    p.beam((0, -0.4, 0), (0.0, 3.55, 0), 0.055, OLD_WOOD, 0.014)
-    p.beam((-0.16, 3.22, 0), (1.28, 3.30, 0), 0.036, OLD_WOOD, 0.01)
-    p.beam((0.02, 2.86, 0), (0.36, 3.22, 0), 0.024, OLD_WOOD)
+    p.beam((0, -0.4, 0), (0.0, 3.55, 0), 0.065, OLD_WOOD, 0.014)
+    p.beam((-0.16, 3.22, 0), (1.28, 3.30, 0), 0.055, OLD_WOOD, 0.01)
+    p.beam((0.02, 2.86, 0), (0.36, 3.22, 0), 0.045, OLD_WOOD)
     p.lathe([(3.50, 0.03), (3.58, 0.075), (3.64, 0.06), (3.82, 0.0)], 6, BRASS)
     device = pattern(
         ["AAAAAA", "BBBBBB", "BBAABB", "BAAAAB", "BAAAAB", "BBAABB", "BBBBBB", "BBBBBB"],
@@ -56,9 +56,9 @@ def banner():
 
 def banner_torn():
     p = Piece("banner_torn", sway=0.55, ground=False, dirt=-0.1)
-    p.beam((-0.85, -0.04, 0), (0.85, 0.0, 0), 0.04, OLD_WOOD, 0.01)
+    p.beam((-0.85, -0.04, 0), (0.85, 0.0, 0), 0.055, OLD_WOOD, 0.01)
     for x in (-0.7, 0.7):
-        p.tube([(x, 0.28, -0.02), (x, -0.02, 0.0)], 0.016, 3, ROPE, caps=False)
+        p.tube([(x, 0.28, -0.02), (x, -0.02, 0.0)], 0.045, 3, ROPE, caps=False)
     device = pattern(
         ["AAAAAAA", "BBBBBBB", "BBBABBB", "BBAAABB", "BAA AAB", "BB AAB ", "B   BB ", "B    B "],
         {"A": BONE.shifted(0.85), "B": PLUM},
@@ -69,8 +69,8 @@ def banner_torn():
 
 def banner_long():
     p = Piece("banner_long", sway=0.6, ground=False, dirt=-0.1)
-    p.beam((-0.42, 0, 0), (0.42, 0, 0), 0.035, IRON, 0.01)
-    p.tube([(-0.36, 0.0, 0), (0, 0.34, 0), (0.36, 0.0, 0)], 0.016, 3, ROPE, caps=False)
+    p.beam((-0.42, 0, 0), (0.42, 0, 0), 0.055, IRON, 0.01)
+    p.tube([(-0.36, 0.0, 0), (0, 0.34, 0), (0.36, 0.0, 0)], 0.045, 3, ROPE, caps=False)
     rows = ["BB", "AA", "BB", "BB", "AB", "BA", "AB", "BA", "BB", "BB", "AA", "BB"]
     device = pattern([r[0] + r + r[1] for r in rows], {"A": BONE, "B": TEAL})
     cloth(p, -0.34, 0.34, -0.04, [4.1, 4.35, 3.7, 4.35, 4.05], 12, device, 0.15, 0.4)

@@ -157,20 +157,20 @@ def crane():
     p.beam((-2.9, 4.0, 0), (4.9, 7.5, 0), 0.18, WOOD, 0.04, end=0.7)
     p.beam((0, 4.9, 0), (0.1, 7.3, 0), 0.14, WOOD, 0.03)
     for end in ((4.7, 7.42, 0), (-2.6, 4.2, 0), (2.3, 6.38, 0)):
-        p.tube([(0.1, 7.2, 0), end], 0.035, 3, ROPE, caps=False)
+        p.tube([(0.1, 7.2, 0), end], 0.055, 3, ROPE, caps=False)
     for x in (1.1, 3.4):
         p.block((x, 5.55 + 0.45 * x - 0.05, 0), (0.16, 0.42, 0.46), IRON, turn=turned(z=24))
     p.block((-2.75, 2.65, 0), (1.35, 1.15, 1.15), STONE, bevel=0.06, chips=2)
     for z in (-0.4, 0.4):
-        p.tube([(-2.7, 4.15, 0), (-2.75, 3.75, z)], 0.035, 3, ROPE, caps=False)
-    p.tube([(4.75, 7.35, 0), (4.75, 3.6, 0)], 0.03, 3, ROPE, caps=False)
+        p.tube([(-2.7, 4.15, 0), (-2.75, 3.75, z)], 0.055, 3, ROPE, caps=False)
+    p.tube([(4.75, 7.35, 0), (4.75, 3.6, 0)], 0.055, 3, ROPE, caps=False)
     p.block((4.75, 3.32, 0), (0.28, 0.36, 0.22), IRON, bevel=0.03)
     for x in (-0.55, 0.55):
-        p.tube([(4.75, 3.34, 0), (4.75 + x, 2.75, 0)], 0.026, 3, ROPE, caps=False)
+        p.tube([(4.75, 3.34, 0), (4.75 + x, 2.75, 0)], 0.05, 3, ROPE, caps=False)
     p.block((4.75, 1.9, 0), (1.35, 0.88, 1.0), PALE, bevel=0.06, chips=2, turn=turned(y=14))
     p.lathe([(-0.5, 0.32), (0.5, 0.32)], 8, ROPE, (0.0, 2.05, 0), turned(x=90))
     p.lathe([(-0.62, 0.12), (0.62, 0.12)], 6, OLD_WOOD, (0.0, 2.05, 0), turned(x=90))
-    p.tube([(0.2, 2.3, 0), (0.12, 7.25, 0)], 0.026, 3, ROPE, caps=False)
+    p.tube([(0.2, 2.3, 0), (0.12, 7.25, 0)], 0.05, 3, ROPE, caps=False)
     return p
 
 

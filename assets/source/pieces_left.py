@@ -124,7 +124,7 @@ def ladder():
         return (x, y, lean * (0.5 - y / 3.0) * 2)
 
     for x in (-0.26, 0.26):
-        p.beam(at(x, -0.05), at(x * 0.9, 3.05), 0.042, OLD_WOOD, 0.01)
+        p.beam(at(x, -0.05), at(x * 0.9, 3.05), 0.055, OLD_WOOD, 0.01)
     for k in range(8):
         if k == 5:  # broken rung
             p.beam(at(-0.28, 2.08), at(-0.02, 1.98), 0.026, WOOD)
@@ -142,8 +142,8 @@ def scaffold():
             p.beam((x, -0.3, z), (x + 0.06, top, z), 0.06, OLD_WOOD, 0.012)
         for y in (1.9, 3.7):
             p.beam((-2.3, y, z * 1.08), (2.35, y + 0.05, z * 1.08), 0.05, OLD_WOOD)
-    p.beam((-2.0, 0.1, 0.64), (0.05, 3.7, 0.64), 0.045, OLD_WOOD)
-    p.beam((2.05, 2.0, 0.64), (0.05, 3.9, 0.64), 0.045, OLD_WOOD)
+    p.beam((-2.0, 0.1, 0.64), (0.05, 3.7, 0.64), 0.055, OLD_WOOD)
+    p.beam((2.05, 2.0, 0.64), (0.05, 3.9, 0.64), 0.055, OLD_WOOD)
     for y, ends in ((1.98, (-2.25, 2.2)), (3.78, (-2.2, 1.1))):
         for k, z in enumerate((-0.45, -0.15, 0.15, 0.45)):
             a, b = ends[0] + 0.1 * p.rng.uniform(-1, 1), ends[1] + 0.15 * p.rng.uniform(-1, 1)
