@@ -19,7 +19,9 @@ const ROPE: f32 = 0.05;
 const WITHIN: f32 = 0.22;
 /// How far a way goes on beyond the first and the last stop.
 const BEYOND: f32 = 0.5;
-const HEADROOM: f32 = 0.85;
+/// How far a frame rises over what stamps at its highest stop, and over a lift, whose rider must not have a wheel behind his head.
+const HEAD: f32 = 0.85;
+const HEADROOM: f32 = 2.4;
 /// Radius of the wheels that ropes run over.
 const WHEEL: f32 = 0.34;
 /// Rise of one of the braces that run to and fro between two posts, by their distance: no rung, nobody climbs here.
@@ -65,9 +67,11 @@ fn frame(mover: &Mover, bearers: &Bearers) -> Frame {
             rail(middle + a, middle + b, bearers, &mut frame);
             continue;
         }
+        let top = Vec2::new((min.x + max.x) / 2.0 + b.x, max.y + b.y);
+        let room = if timber { HEADROOM } else { HEAD };
         let way = Upright {
             foot: Vec2::new((min.x + max.x) / 2.0 + a.x, min.y + a.y - BEYOND),
-            head: Vec2::new((min.x + max.x) / 2.0 + b.x, max.y + b.y + HEADROOM),
+            head: top + Vec2::Y * bearers.reach(top, Vec2::Y, room).unwrap_or(room),
             half: (max.x - min.x) / 2.0 - WITHIN,
             timber,
         };

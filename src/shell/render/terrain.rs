@@ -48,8 +48,12 @@ const ACROSS: f64 = 2.2;
 const SLIPPERY: f64 = 0.25;
 
 /// Longest edges of facets, in metres, at the rim and within; larger where a level would need more than this many.
-const FACET: (f64, f64) = (1.25, 1.7);
+const FACET: (f64, f64) = (1.25, 2.6);
 const MOST: f64 = 40_000.0;
+
+/// By how much rock is less uneven deep within, and from which to which distance from the open, in metres.
+const CALM: f32 = 0.7;
+const CALMER: (f32, f32) = (1.5, 5.0);
 
 /// Wet or frozen ground, on which nobody finds hold.
 const SLICK: Paint = paint(0x9ccfdc).varied(0.03);
@@ -250,13 +254,15 @@ fn breadth([a, b, c]: [Vec2; 3]) -> f32 {
     (b - a).perp_dot(c - a) / longest.max(f32::MIN_POSITIVE)
 }
 
-/// How far rock stands out at a depth from the open, in metres: beds of different hardness, and chance.
+/// How far rock stands out at a depth from the open, in metres: beds of different hardness, and chance; less so deep within,
+/// where nothing shall draw the eye.
 fn relief(p: Vec2, depth: f32) -> f32 {
     let flat = p.extend(0.0);
     let bed = hash(Vec3::new(0.0, bed(flat), 0.0), 10) - 0.5;
     let wave = (p.x * 0.33 + 0.7 * (p.y * 0.41).sin()).sin();
     let uneven = 0.36 * (hash(flat, 5) - 0.5) + 0.34 * bed + 0.16 * wave;
-    uneven * ((depth - RIM) / 1.4).clamp(0.0, 1.0)
+    let quiet = 1.0 - CALM * smooth(CALMER.0, CALMER.1, depth);
+    uneven * ((depth - RIM) / 1.4).clamp(0.0, 1.0) * quiet
 }
 
 /// An edge is worn, and catches the light where it looks up.
