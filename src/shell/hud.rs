@@ -162,9 +162,21 @@ impl Hud {
         self.deaths = view.deaths;
         self.flash = (self.flash - seconds / FLASH).max(0.0);
         self.curtain = (self.curtain - seconds / CURTAIN).max(0.0);
-        self.named += seconds;
         self.begun += seconds;
-        if let Some((_, age)) = &mut self.word {
+        self.take_turns(seconds);
+    }
+
+    /// The name of a place and a word in passing are not shown at once: who came second waits.
+    fn take_turns(&mut self, seconds: f32) {
+        let begun = |age: f32, [.., gone]: [f32; 3]| age > 0.0 && age < gone;
+        let says = self.word.is_some_and(|(_, age)| begun(age, WORD));
+        if self.named > 0.0 || !says {
+            self.named += seconds;
+        }
+        let names = begun(self.named, NAME);
+        if let Some((_, age)) = &mut self.word
+            && (*age > 0.0 || !names)
+        {
             *age += seconds;
         }
     }
@@ -436,6 +448,30 @@ mod tests {
             assert!((found - wanted).abs() < 1e-6, "{times:?}");
         }
     }
+
+    #[test]
+    fn a_name_and_a_word_take_turns() {
+        let seen = |hud: &Hud| {
+            let word = hud.word.map_or(0.0, |(_, age)| shown(age, WORD));
+            (shown(hud.named, NAME) > 0.0, word > 0.0)
+        };
+        let after = |hud: &mut Hud, seconds: f32| {
+            for _ in 0..(seconds * 10.0) as u32 {
+                hud.take_turns(0.1);
+                assert_ne!(seen(hud), (true, true));
+            }
+            seen(hud)
+        };
+        let mut hud = Hud::default();
+        assert_eq!(after(&mut hud, 1.0), (true, false));
+        hud.checkpoint();
+        assert_eq!(after(&mut hud, 3.0), (true, false), "the word waits");
+        assert_eq!(after(&mut hud, 2.0), (false, true), "and has its turn");
+        hud.named = 0.0;
+        assert_eq!(after(&mut hud, 1.0), (false, true), "now the name waits");
+        assert_eq!(after(&mut hud, 2.0), (true, false), "and has its turn");
+    }
+
     /// The brightest sky behind words, as a share of white: none of the golden skies has more.
     const SKY: f32 = 0.93;
 
