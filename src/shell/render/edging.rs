@@ -22,6 +22,9 @@ const GAP: f32 = 0.022;
 /// The shortest piece of an outline that has one, and the least share of its length that one has within.
 const SHORTEST: f32 = 0.3;
 const NARROWEST: f32 = 0.45;
+/// How far, in metres, a long one may reach beyond its piece of the outline: at a hollow corner it would cover the short ones
+/// that it meets.
+const JUTS: f32 = 0.15;
 /// The least cosine of half a corner's turn up to which ends are mitred.
 const SHARPEST: f64 = 0.6;
 /// How much brighter than the courses they are, and how much they differ.
@@ -102,7 +105,8 @@ fn stone(
         let length = |i: usize, j: usize| (corners[j] - corners[i]).dot(along);
         let is_whole = length(0, 1) > 0.0 && length(3, 2) > length(0, 1) * NARROWEST;
         let has_room = inward.at(middle - normal.as_vec2() * reach) > reach * THIN;
-        (is_whole && has_room).then_some(corners)
+        let juts = reach > short && (length(1, 2) > JUTS || length(3, 0) > JUTS);
+        (is_whole && has_room && !juts).then_some(corners)
     };
     let long_enough = from.distance(to) > SHORTEST;
     [wanted, short]
@@ -154,5 +158,28 @@ mod tests {
             "floor"
         );
         assert!(reached(|p| p.x, REACHES[1]), "long ones at walls");
+    }
+
+    #[test]
+    fn stones_that_meet_in_a_hollow_corner_reach_alike() {
+        let p = |x: i32, y: i32| Point::new(x << 16, y << 16);
+        let look = Look {
+            material: Material::Masonry,
+            ..Look::default()
+        };
+        // An L: its hollow corner is at (6, 2), under a wall of 5 m that begins with a long one.
+        let [a, b, c, d, e, f, g] =
+            [(0, 0), (12, 0), (12, 2), (6, 2), (6, 7), (0, 7), (6, 0)].map(|(x, y)| p(x, y));
+        let triangles = [[a, g, d], [g, b, c], [g, c, d], [a, d, f], [d, e, f]];
+        let mut facets = Facets::new(&triangles.map(|triangle| (triangle, look)));
+        facets.refine(1.25, f64::INFINITY, |_| DVec2::ZERO);
+        let (rims, inward) = (Rims::of(&facets), Inward::of(&facets));
+        let mut model = Model::default();
+        add(&facets, &rims, &inward, 0.6, paint(0x808080), &mut model);
+        let places = model.words.chunks_exact(VERTEX_WORDS);
+        let places = places.map(|v| Vec3::from_array([0, 1, 2].map(|i| f32::from_bits(v[i]))));
+        let deepest = places.filter(|p| p.x > 3.0 && p.x < 6.5 && p.y > 1.0 && p.y < 2.0);
+        let lowest = deepest.map(|p| p.y).fold(2.0, f32::min);
+        assert!((2.0 - lowest - REACHES[0]).abs() < 0.05, "{lowest}");
     }
 }
