@@ -18,7 +18,7 @@ pub use check::{COORDINATE_LIMIT, CORNER_LIMIT, check, check_feature};
 pub use error::{Entity, Flaw, LevelError};
 pub use feature::{By, Concave, Feature, Kind, Material};
 pub use file::{check_writable, load, parse, read, save, without_mark, write_atomically};
-pub use mover::{Easing, Mover, Repeat, Starts, Stop};
+pub use mover::{Easing, Mover, Repeat, Starts, Stop, is_upright};
 pub use place::{Area, Frame, Mood};
 pub use scenery::{Scenery, SceneryKind};
 

@@ -26,6 +26,11 @@ pub struct Mover {
 /// How much more up than sideways a way must go to count as upright.
 const UPRIGHT: f64 = 3.0;
 
+/// Whether a way leads up or down rather than sideways, or nowhere.
+pub fn is_upright(way: DVec2) -> bool {
+    way != DVec2::ZERO && way.y.abs() >= UPRIGHT * way.x.abs()
+}
+
 impl Mover {
     /// The offsets between which it goes, in order; the way back to the beginning included.
     pub fn legs(&self) -> impl Iterator<Item = (DVec2, DVec2)> + '_ {
@@ -39,8 +44,7 @@ impl Mover {
 
     /// The parts that crush: the iron of what goes up and down.
     pub fn crushers(&self) -> impl Iterator<Item = &Feature> {
-        let upright = |way: DVec2| way != DVec2::ZERO && way.y.abs() >= UPRIGHT * way.x.abs();
-        let stamps = self.legs().any(|(from, to)| upright(to - from));
+        let stamps = self.legs().any(|(from, to)| is_upright(to - from));
         let parts = self.features.iter();
         parts.filter(move |feature| stamps && feature.material == Material::Iron)
     }

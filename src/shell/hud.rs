@@ -168,12 +168,11 @@ impl Hud {
 
     /// The name of a place and a word in passing are not shown at once: who came second waits.
     fn take_turns(&mut self, seconds: f32) {
-        let begun = |age: f32, [.., gone]: [f32; 3]| age > 0.0 && age < gone;
-        let says = self.word.is_some_and(|(_, age)| begun(age, WORD));
+        let says = self.word.is_some_and(|(_, age)| shown(age, WORD) > 0.0);
         if self.named > 0.0 || !says {
             self.named += seconds;
         }
-        let names = begun(self.named, NAME);
+        let names = shown(self.named, NAME) > 0.0;
         if let Some((_, age)) = &mut self.word
             && (*age > 0.0 || !names)
         {

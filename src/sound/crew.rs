@@ -1,7 +1,5 @@
 //! Who of many is heard, when there are only so many voices: the loudest, and who has a voice keeps it.
 
-use super::Level;
-
 /// The voices of a loop, and who has them.
 #[derive(Clone, Debug)]
 pub struct Crew<const VOICES: usize> {
@@ -14,28 +12,14 @@ impl<const VOICES: usize> Default for Crew<VOICES> {
     }
 }
 
-/// What is heard of nobody.
-pub trait Silent: Copy {
-    /// As it is played.
-    const SILENT: Self;
-}
-
-impl Silent for Level {
-    const SILENT: Level = Level::SILENT;
-}
-
-impl Silent for (Level, Level) {
-    const SILENT: (Level, Level) = (Level::SILENT, Level::SILENT);
-}
-
 impl<const VOICES: usize> Crew<VOICES> {
     /// Gives a voice each to the loudest of all, who are known by their numbers. Who had one and is still among them keeps it,
-    /// so that nobody jumps from side to side.
-    pub fn seat<T: Silent>(
+    /// so that nobody jumps from side to side. A voice that nobody has is silent.
+    pub fn seat<T: Copy>(
         &mut self,
         all: impl Iterator<Item = (usize, T)>,
         gain: impl Fn(T) -> f32,
-    ) -> [T; VOICES] {
+    ) -> [Option<T>; VOICES] {
         let loudness = |one: &Option<(usize, T)>| one.map_or(0.0, |(_, level)| gain(level));
         let mut loudest = [None; VOICES];
         for one in all {
@@ -55,7 +39,7 @@ impl<const VOICES: usize> Crew<VOICES> {
             *voice = others.next();
         }
         self.of = seated.map(|one| one.map(|(i, _)| i));
-        seated.map(|one| one.map_or(T::SILENT, |(_, level)| level))
+        seated.map(|one| one.map(|(_, level)| level))
     }
 }
 
@@ -63,10 +47,10 @@ impl<const VOICES: usize> Crew<VOICES> {
 mod tests {
     use super::*;
 
-    fn seat(crew: &mut Crew<2>, gains: &[f64]) -> [f32; 2] {
-        let levels = gains.iter().map(|&gain| Level::of(gain)).enumerate();
-        crew.seat(levels, |level| level.gain)
-            .map(|level| level.gain)
+    fn seat(crew: &mut Crew<2>, gains: &[f32]) -> [f32; 2] {
+        let gains = gains.iter().copied().enumerate();
+        crew.seat(gains, |gain| gain)
+            .map(|gain| gain.unwrap_or(0.0))
     }
 
     #[test]

@@ -88,17 +88,19 @@ impl Machines {
         let motors = motors.filter(|(_, (_, (_, is_door)))| !is_door);
         let levels = motors.map(|(i, (mover, (bounds, _)))| (i, motor(mover, *bounds, moment)));
         let seated = self.motors.seat(levels, |(motor, _)| motor.gain);
-        for (slot, (motor, _)) in Loop::Motor.slots().zip(seated) {
-            loops[slot] = motor;
-        }
-        for (slot, (_, chain)) in Loop::Chain.slots().zip(seated) {
-            loops[slot] = chain;
+        let slots = Loop::Motor.slots().zip(Loop::Chain.slots());
+        for ((motor, chain), heard) in slots.zip(seated) {
+            if let Some(heard) = heard {
+                (loops[motor], loops[chain]) = heard;
+            }
         }
         let belts = self.belts.iter().enumerate();
         let levels = belts.map(|(i, (bounds, speed))| (i, belt(*bounds, *speed, moment)));
         let seated = self.running.seat(levels, |belt| belt.gain);
-        for (slot, belt) in Loop::Belt.slots().zip(seated) {
-            loops[slot] = belt;
+        for (slot, heard) in Loop::Belt.slots().zip(seated) {
+            if let Some(heard) = heard {
+                loops[slot] = heard;
+            }
         }
     }
 }

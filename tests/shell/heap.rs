@@ -5,9 +5,9 @@
 //! for each sound that begins.
 
 use super::hands::{FLAT, FRAME, config_dir, frames, key, open, options};
+use super::heard::each_moment;
 use edgewalker::cli::{Options, Preset, Source, load};
 use edgewalker::shell::app::App;
-use edgewalker::sound::{Ear, Moment, Soundscape};
 use sdl2::keyboard::Scancode;
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::backtrace::Backtrace;
@@ -113,24 +113,12 @@ pub fn nothing_is_allocated_for_a_picture(_: &Path) {
 /// What is heard of the recorded run is decided without asking for memory.
 pub fn nothing_is_allocated_for_cues(_: &Path) {
     let replay = load::replay(Path::new(RUN)).unwrap_or_else(|e| panic!("{e}"));
-    let mut world = load::replay_world(Path::new(RUN), &replay).unwrap_or_else(|e| panic!("{e}"));
-    let mut scape = Soundscape::new(&world);
-    let mut before = world.view();
     let mut cues = 0;
-    for (tick, input) in replay.iter().enumerate() {
-        world.step(input, &replay.tuning);
-        let now = world.view();
-        let moment = Moment {
-            world: &world,
-            before: &before,
-            now: &now,
-            ear: Ear { at: now.position },
-        };
+    each_moment(Path::new(RUN), &replay, |tick, scape, moment| {
         cues += match tick < replay.tick_rate as usize {
-            true => scape.tick(&moment).cues.len(),
-            false => watch(|| scape.tick(&moment).cues.len()),
+            true => scape.tick(moment).cues.len(),
+            false => watch(|| scape.tick(moment).cues.len()),
         };
-        before = now;
-    }
+    });
     assert!(cues > 1000, "{cues}");
 }

@@ -5,6 +5,8 @@
 mod devices;
 mod hands;
 mod heap;
+#[path = "../common/heard.rs"]
+mod heard;
 mod menus;
 mod runs;
 mod sound;

@@ -68,10 +68,7 @@ pub struct Run {
 
 impl Run {
     pub fn new(level: Level) -> Run {
-        Run::of(World::new(Arc::new(Stage::build(level).unwrap()), RATE, 0))
-    }
-
-    pub fn of(world: World) -> Run {
+        let world = World::new(Arc::new(Stage::build(level).unwrap()), RATE, 0);
         Run {
             scape: Soundscape::new(&world),
             world,

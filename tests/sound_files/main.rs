@@ -1,5 +1,7 @@
 //! The files of all sounds and music, decoded and measured: none clips, clicks, hums below hearing or is missing.
 
+#[path = "../common/heard.rs"]
+mod heard;
 mod measure;
 mod mix;
 

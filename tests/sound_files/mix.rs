@@ -1,13 +1,14 @@
 //! The recorded run through the quarry as it is heard, measured: how loud, how high its peaks, whether it clicks or falls
 //! silent, and whether steps are heard over the music. What was measured lies in `target/tmp/mix-*.wav` afterwards.
 
+use super::heard::each_moment;
 use super::measure::{Loudness, band, click, true_peak};
 use edgewalker::cli::load;
 use edgewalker::game::Replay;
 use edgewalker::shell::audio::Volumes;
 use edgewalker::shell::audio::decode::RATE;
 use edgewalker::shell::audio::soundtrack::{render, wav};
-use edgewalker::sound::{Cue, Ear, Moment, Sound, Soundscape};
+use edgewalker::sound::{Cue, Sound};
 use std::path::Path;
 use std::sync::LazyLock;
 
@@ -52,20 +53,10 @@ static MIX: LazyLock<Mix> = LazyLock::new(|| {
 
 /// What begins in the run, and when.
 fn cues(path: &Path, replay: &Replay) -> Vec<Cue> {
-    let mut world = load::replay_world(path, replay).unwrap_or_else(|e| panic!("{e}"));
-    let (mut scape, mut cues) = (Soundscape::new(&world), Vec::new());
-    for input in replay.iter() {
-        let before = world.view();
-        world.step(input, &replay.tuning);
-        let now = world.view();
-        let moment = Moment {
-            world: &world,
-            before: &before,
-            now: &now,
-            ear: Ear { at: now.position },
-        };
-        cues.extend(&scape.tick(&moment).cues);
-    }
+    let mut cues = Vec::new();
+    each_moment(path, replay, |_, scape, moment| {
+        cues.extend(&scape.tick(moment).cues);
+    });
     cues
 }
 

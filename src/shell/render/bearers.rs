@@ -1,12 +1,17 @@
 //! What may carry something: the deep stone of a level, asked by what hangs, stands or is held in the air; and frames of
 //! beams and wheels that lead there.
 
-use super::model::{Model, Paint};
+use super::model::{Model, Paint, paint};
 use crate::level::{Feature, Kind, Level, Material};
 use glam::{Mat4, Vec2, Vec3};
 
 /// How far beams go into what holds them, in metres.
 pub const ROOT: f32 = 0.35;
+/// Half the thickness of a brace, in metres.
+pub const BRACE: f32 = 0.065;
+/// What posts, rods and plates are made of, and ropes.
+pub const IRON: Paint = paint(0x4b4d55).varied(0.10);
+pub const HEMP: Paint = paint(0x8f7a56).varied(0.08);
 /// How deep under the water what stands in it ends.
 const SUNK: f32 = 2.0;
 /// Half the side of the plate where a beam meets stone, and half its thickness.
@@ -16,7 +21,7 @@ const WHEEL: f32 = 0.10;
 const GROOVE: f32 = 0.78;
 /// The hub of a wheel: share of its radius, how far it stands out in metres, and how much brighter it is.
 const HUB: (f32, f32, f32) = (0.4, 0.05, 0.45);
-const BRIGHT: Paint = super::model::paint(0xc8b89a);
+const BRIGHT: Paint = paint(0xc8b89a);
 /// Facets around a wheel.
 const SIDES: usize = 9;
 
@@ -127,14 +132,14 @@ impl Frame {
     }
 
     /// Adds the plate through which a beam meets a wall, a ceiling or a floor, by where it does and along which axis.
-    pub fn plate(&mut self, at: Vec2, along: Vec2, depth: f32, paint: Paint) {
+    pub fn plate(&mut self, at: Vec2, along: Vec2, depth: f32) {
         let across = along.perp() * PLATE.0;
-        self.beam(at - across, at + across, PLATE.1, depth + PLATE.1, paint);
+        self.beam(at - across, at + across, PLATE.1, depth + PLATE.1, IRON);
     }
 
     /// Beams to and fro between two upright ones, from the foot of the left one up.
-    pub fn brace(&mut self, [left, right]: [(Vec2, Vec2); 2], rise: f32, half: f32, paint: Paint) {
-        let depth = self.beams.last().map_or(0.0, |beam| beam.depth) - half;
+    pub fn brace(&mut self, [left, right]: [(Vec2, Vec2); 2], rise: f32, paint: Paint) {
+        let depth = self.beams.last().map_or(0.0, |beam| beam.depth) - BRACE;
         let length = (left.1.y - left.0.y).min(right.1.y - right.0.y);
         let count = (length / rise).round().max(1.0);
         for i in 0..count as u32 {
@@ -145,7 +150,7 @@ impl Frame {
                 (right, left)
             };
             let [from, to] = [a.0.lerp(a.1, foot), b.0.lerp(b.1, top)];
-            self.beam(from, to, half, depth, paint);
+            self.beam(from, to, BRACE, depth, paint);
         }
     }
 
@@ -176,6 +181,7 @@ fn wheel(at: Vec3, radius: f32, paint: Paint, model: &mut Model) {
 
 #[cfg(test)]
 pub mod tests {
+    use super::super::inward::distance;
     use super::*;
     use std::path::Path;
 
@@ -201,13 +207,16 @@ pub mod tests {
         bearers.hold(p) || p.y < bearers.water
     }
 
+    /// The lowest and the highest corner of a frame's beams.
+    pub fn extent(frame: &Frame) -> (Vec2, Vec2) {
+        let ends = || frame.beams.iter().flat_map(|beam| [beam.from, beam.to]);
+        let min = ends().fold(Vec2::INFINITY, Vec2::min);
+        (min, ends().fold(Vec2::NEG_INFINITY, Vec2::max))
+    }
+
     /// The distance of two pieces of line.
     fn apart(a: &Beam, b: &Beam) -> f32 {
-        let to = |p: Vec2, line: &Beam| {
-            let along = line.to - line.from;
-            let share = (p - line.from).dot(along) / along.length_squared();
-            p.distance(line.from + along * share.clamp(0.0, 1.0))
-        };
+        let to = |p: Vec2, line: &Beam| distance(p, line.from, line.to);
         let cross = |a: &Beam, b: &Beam| {
             let side = |p: Vec2| (a.to - a.from).perp_dot(p - a.from);
             (side(b.from) > 0.0) != (side(b.to) > 0.0)

@@ -2,18 +2,17 @@
 //! a ferry. What carries them is asked of the level: they stand on the ground, hang from a ceiling, are held by a wall, or
 //! stand in the water.
 
-use super::bearers::{Bearers, Frame, ROOT};
+use super::bearers::{Bearers, Frame, HEMP, IRON, ROOT};
 use super::fixtures::outline;
 use super::model::{Model, Paint, paint};
-use crate::level::{Level, Material, Mover};
+use crate::level::{Level, Material, Mover, is_upright};
 use glam::Vec2;
 
 /// Depth of posts and rails behind the hero, of what runs before them and of what braces them.
 const DEPTH: f32 = -0.95;
 const BEFORE: f32 = DEPTH + 0.24;
-/// Half the thickness of a post or rail, of a brace, and of a rope, in metres.
+/// Half the thickness of a post or rail, and of a rope, in metres.
 const POST: f32 = 0.12;
-const BRACE: f32 = 0.065;
 const ROPE: f32 = 0.05;
 /// How far posts stand within the sides of what rides on them.
 const WITHIN: f32 = 0.22;
@@ -28,8 +27,6 @@ const WHEEL: f32 = 0.34;
 const BRACES: f32 = 1.0;
 /// What leaves less room than this between its posts, in metres, has one post: a door.
 const DOOR: f32 = 0.5;
-/// A way is upright if it leads this much more upwards than sideways.
-const UPRIGHT: f32 = 3.0;
 /// How far below and above stone is looked for to stand on and to hang from, beside a frame, and beyond the end of a rail.
 const BELOW: f32 = 9.0;
 const ABOVE: f32 = 6.0;
@@ -38,10 +35,8 @@ const ALONG: f32 = 10.0;
 /// How much of its length the strut under an arm rises.
 const STRUT: f32 = 0.8;
 
-const IRON: Paint = paint(0x4b4d55).varied(0.10);
 const RUST: Paint = paint(0x6e5348).varied(0.14);
 const WOOD: Paint = paint(0x6d4d36).varied(0.12);
-const HEMP: Paint = paint(0x8f7a56).varied(0.08);
 
 /// Builds the guides of all movers of a level over water of a height; they stand still.
 pub fn build(level: &Level, water: f32) -> Model {
@@ -62,7 +57,7 @@ fn frame(mover: &Mover, bearers: &Bearers) -> Frame {
     let mut frame = Frame::default();
     for (a, b) in ways(mover) {
         let (a, b) = if a.y <= b.y { (a, b) } else { (b, a) };
-        if (b - a).y < UPRIGHT * (b - a).x.abs() {
+        if !is_upright((b - a).as_dvec2()) {
             let middle = (min + max) / 2.0;
             rail(middle + a, middle + b, bearers, &mut frame);
             continue;
@@ -110,10 +105,15 @@ struct Upright {
 }
 
 impl Upright {
+    /// Where the ground below its foot and the ceiling over its head would hold a post so far aside.
+    fn roots(&self, aside: f32, bearers: &Bearers) -> [Option<Vec2>; 2] {
+        let ends = [(self.foot, Vec2::NEG_Y, BELOW), (self.head, Vec2::Y, ABOVE)];
+        ends.map(|(end, along, most)| bearers.root(end + Vec2::X * aside, along, most))
+    }
+
     /// The one post of a door.
     fn post(&self, bearers: &Bearers, frame: &mut Frame) {
-        let foot = bearers.root(self.foot, Vec2::NEG_Y, BELOW);
-        let head = bearers.root(self.head, Vec2::Y, ABOVE);
+        let [foot, head] = self.roots(0.0, bearers);
         let (from, to) = match (foot, head) {
             (None, None) => (bearers.drowned(self.foot), self.head),
             (foot, head) => (foot.unwrap_or(self.foot), head.unwrap_or(self.head)),
@@ -130,21 +130,18 @@ impl Upright {
         };
         let sides = [-self.half, self.half];
         let posts = sides.map(|side| [self.foot, self.head].map(|p| p + Vec2::X * side));
-        let stand = posts.map(|[foot, _]| bearers.root(foot, Vec2::NEG_Y, BELOW));
-        let hang = posts.map(|[_, head]| bearers.root(head, Vec2::Y, ABOVE));
-        let hangs = hang.iter().all(Option::is_some);
-        let held = match stand {
-            [Some(_), Some(_)] => true,
-            _ => hangs || self.arms(posts, bearers, rail, frame),
-        };
+        let roots = sides.map(|side| self.roots(side, bearers));
+        let [stands, hangs] = [0, 1].map(|end| roots.iter().all(|root| root[end].is_some()));
+        let held = stands || hangs || self.arms(posts, bearers, rail, frame);
         let ends = [0, 1].map(|i| {
             let [foot, head] = posts[i];
-            let down = match (stand[i], held) {
+            let [stand, hang] = roots[i];
+            let down = match (stand, held) {
                 (Some(root), _) => root,
                 (None, true) => foot,
                 (None, false) => bearers.drowned(foot),
             };
-            (down, hang[i].filter(|_| hangs).unwrap_or(head))
+            (down, hang.filter(|_| hangs).unwrap_or(head))
         });
         for (from, to) in ends {
             frame.beam(from, to, POST, DEPTH, rail);
@@ -152,13 +149,12 @@ impl Upright {
         let over = Vec2::X * (self.half + WITHIN);
         frame.beam(self.head - over, self.head + over, POST, DEPTH, rail);
         if !self.timber {
-            let ceiling = bearers.root(self.head, Vec2::Y, ABOVE);
-            let floor = bearers.root(self.foot, Vec2::NEG_Y, BELOW);
+            let [floor, ceiling] = self.roots(0.0, bearers);
             let (from, to) = (floor.unwrap_or(self.foot), ceiling.unwrap_or(self.head));
             frame.beam(from, to, POST * 1.3, BEFORE, other);
             return;
         }
-        frame.brace(ends, 2.0 * self.half * BRACES, BRACE, other);
+        frame.brace(ends, 2.0 * self.half * BRACES, other);
         frame.beam(self.foot - over, self.foot + over, POST, DEPTH, rail);
         for at in [self.foot, self.head] {
             frame.wheels.push((at, WHEEL, BEFORE, other));
@@ -191,7 +187,7 @@ impl Upright {
             let Some(root) = root else { continue };
             any = true;
             frame.beam(from - side * 2.0 * self.half, root, POST, DEPTH, paint);
-            frame.plate(root - side * ROOT, side, DEPTH, IRON);
+            frame.plate(root - side * ROOT, side, DEPTH);
             let low = from - Vec2::Y * (root - from).length() * STRUT;
             if let Some(foot) = bearers.root(low, side, BESIDE) {
                 frame.beam(from, foot, POST * 0.8, DEPTH, paint);
@@ -207,7 +203,7 @@ fn rail(a: Vec2, b: Vec2, bearers: &Bearers, frame: &mut Frame) {
     let ends = [(a, -along), (b, along)].map(|(stop, out)| {
         let end = stop + out * BEYOND;
         if let Some(root) = bearers.root(end, out, ALONG) {
-            frame.plate(root - out * ROOT, out, DEPTH, IRON);
+            frame.plate(root - out * ROOT, out, DEPTH);
             return root;
         }
         let ground = bearers.root(end, Vec2::NEG_Y, BELOW);
@@ -222,7 +218,7 @@ fn rail(a: Vec2, b: Vec2, bearers: &Bearers, frame: &mut Frame) {
 
 #[cfg(test)]
 mod tests {
-    use super::super::bearers::tests::{floating, level, quarry};
+    use super::super::bearers::tests::{extent, floating, level, quarry};
     use super::super::scene;
     use super::*;
     use crate::level::{Feature, Repeat, Stop};
@@ -245,13 +241,6 @@ mod tests {
             repeat,
             starts: Default::default(),
         }
-    }
-
-    /// The lowest and the highest corner of a frame's beams.
-    fn extent(frame: &Frame) -> (Vec2, Vec2) {
-        let ends = || frame.beams.iter().flat_map(|beam| [beam.from, beam.to]);
-        let min = ends().fold(Vec2::INFINITY, Vec2::min);
-        (min, ends().fold(Vec2::NEG_INFINITY, Vec2::max))
     }
 
     #[test]

@@ -54,10 +54,8 @@ impl Inward {
         for y in low.y as usize..=(high.y as usize).min(height - 1) {
             for x in low.x as usize..=(high.x as usize).min(self.width - 1) {
                 let p = self.min + Vec2::new(x as f32, y as f32) * self.cell;
-                let share = (p - a).dot(b - a) / (b - a).length_squared();
-                let far = p.distance(a.lerp(b, share.clamp(0.0, 1.0)));
                 let place = &mut self.far[y * self.width + x];
-                *place = place.min(far);
+                *place = place.min(distance(p, a, b));
             }
         }
     }
@@ -103,6 +101,12 @@ impl Inward {
         };
         row(y) + (row(y + 1) - row(y)) * place.y.fract()
     }
+}
+
+/// How far a place is from the line between two others.
+pub fn distance(p: Vec2, a: Vec2, b: Vec2) -> f32 {
+    let share = (p - a).dot(b - a) / (b - a).length_squared();
+    p.distance(a.lerp(b, share.clamp(0.0, 1.0)))
 }
 
 #[cfg(test)]

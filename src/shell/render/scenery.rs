@@ -104,6 +104,7 @@ fn own_turn(kind: SceneryKind) -> f32 {
 mod tests {
     use super::super::bearers::Bearers;
     use super::super::fixtures::edges;
+    use super::super::inward::distance;
     use super::super::kit::tests::kit;
     use super::*;
     use crate::level;
@@ -171,10 +172,8 @@ mod tests {
         // What hangs at boards, or at scenery that stands.
         let boards = |p: Vec2| {
             let lines = level.features.iter().filter(|f| f.kind == Kind::OneWay);
-            lines.flat_map(edges).any(|(a, b)| {
-                let share = (p - a).dot(b - a) / (b - a).length_squared();
-                p.distance(a.lerp(b, share.clamp(0.0, 1.0))) < NEAR
-            })
+            let mut edges = lines.flat_map(edges);
+            edges.any(|(a, b)| distance(p, a, b) < NEAR)
         };
         let stands_at = |p: Vec3, other: &Scenery| {
             let (low, high) = bounds(other);

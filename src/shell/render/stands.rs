@@ -1,7 +1,7 @@
 //! What carries planks, grates and chains that can be climbed: struts from the wall that they begin at, posts on the ground
 //! below, rods from a ceiling, or piles that stand in the water. Which it is, is asked of the level.
 
-use super::bearers::{Bearers, Frame, ROOT};
+use super::bearers::{BRACE, Bearers, Frame, HEMP, IRON, ROOT};
 use super::fixtures::{bounds, outline};
 use super::model::{Model, Paint, paint};
 use crate::level::{Feature, Kind, Level, Material};
@@ -11,9 +11,8 @@ use glam::Vec2;
 const DEPTH: f32 = -0.62;
 /// Where chains that can be climbed hang.
 const CHAIN: f32 = -0.5;
-/// Half the thickness of posts and struts, of braces, and of rods, in metres.
+/// Half the thickness of posts and struts, and of rods, in metres.
 const POST: f32 = 0.11;
-const BRACE: f32 = 0.065;
 const ROD: f32 = 0.055;
 /// How far below a line of boards what carries them begins.
 const UNDER: f32 = 0.16;
@@ -42,8 +41,6 @@ const GALLOWS: f32 = 3.0;
 const STEP: f32 = 0.25;
 
 const WOOD: Paint = paint(0x6a4c36).varied(0.12);
-const IRON: Paint = paint(0x4b4d55).varied(0.10);
-const HEMP: Paint = paint(0x8f7a56).varied(0.08);
 
 /// Builds what carries the planks and chains of a level over water of a height.
 pub fn build(level: &Level, water: f32) -> Model {
@@ -169,7 +166,7 @@ impl Boards {
             return false;
         };
         frame.beam(from, foot, POST, DEPTH, self.paint);
-        frame.plate(foot - side * ROOT, side, DEPTH, IRON);
+        frame.plate(foot - side * ROOT, side, DEPTH);
         true
     }
 
@@ -184,7 +181,7 @@ impl Boards {
         } else if let (_, [Some(a), Some(b)]) = (ground, ceiling) {
             for (head, root) in heads.into_iter().zip([a, b]) {
                 frame.beam(head, root, ROD, DEPTH - 0.35, IRON);
-                frame.plate(root - Vec2::Y * ROOT, Vec2::Y, DEPTH - 0.35, IRON);
+                frame.plate(root - Vec2::Y * ROOT, Vec2::Y, DEPTH - 0.35);
             }
         } else {
             let feet = heads.map(|head| stone.drowned(head));
@@ -200,7 +197,7 @@ impl Boards {
         }
         if posts.iter().any(|(foot, head)| head.y - foot.y > TALL) {
             let apart = posts[1].1.x - posts[0].1.x;
-            frame.brace(posts, apart * BRACES, BRACE, self.paint);
+            frame.brace(posts, apart * BRACES, self.paint);
         }
     }
 }
@@ -246,7 +243,7 @@ fn hook(feature: &Feature, stone: &Bearers, frame: &mut Frame) {
 
 #[cfg(test)]
 mod tests {
-    use super::super::bearers::tests::{floating, level, quarry};
+    use super::super::bearers::tests::{extent, floating, level, quarry};
     use super::super::scene;
     use super::*;
 
@@ -261,12 +258,6 @@ mod tests {
         let frame = frame(&level.features[0], &around);
         assert_eq!(floating(&frame, &around.stone), [], "{first} {others:?}");
         frame
-    }
-
-    fn extent(frame: &Frame) -> (Vec2, Vec2) {
-        let ends = || frame.beams.iter().flat_map(|beam| [beam.from, beam.to]);
-        let min = ends().fold(Vec2::INFINITY, Vec2::min);
-        (min, ends().fold(Vec2::NEG_INFINITY, Vec2::max))
     }
 
     const WEST: &str = "(id: \"w\", outline: [(-2, -6), (0.1, -6), (0.1, 1), (-2, 1)]),";
