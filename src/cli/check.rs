@@ -1,14 +1,20 @@
-//! The check of a level for those who make it: all its meshes, and random play with every invariant watched.
+//! The check of a level for those who make it: all its meshes, what does not mean what it seems to, and random play with every
+//! invariant watched. Each part is a file of its own, and a line of [`PARTS`].
+
+mod meshes;
+mod purpose;
+mod walks;
 
 use super::load::{self, LoadError};
 use super::tuning;
-use super::walk::{Player, Start, Walk, walk};
-use crate::game::{Replay, Shape, Stage, World};
-use crate::level::Kind;
-use crate::mesh::Mesh;
+use crate::game::{Replay, Stage};
+use crate::level::Feature;
 use crate::tune::Tuning;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+
+/// The parts of the check, in the order in which they are done and told.
+const PARTS: &[fn(&Case, &mut Report)] = &[meshes::check, purpose::check, walks::check];
 
 /// Ticks that are walked unless asked otherwise.
 pub const TICKS: u64 = 100_000;
@@ -33,6 +39,13 @@ pub struct Plan {
     pub record: Option<PathBuf>,
 }
 
+/// What each part looks at.
+struct Case<'a> {
+    plan: &'a Plan,
+    stage: &'a Arc<Stage>,
+    tuning: &'a Tuning,
+}
+
 /// What a check has found.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Report {
@@ -48,6 +61,16 @@ impl Report {
     /// Nothing is wrong.
     pub fn is_clean(&self) -> bool {
         self.faults.is_empty()
+    }
+
+    /// Says what was done.
+    fn done(&mut self, line: String) {
+        self.done.push(line);
+    }
+
+    /// Says what is wrong, and where.
+    fn wrong(&mut self, fault: String) {
+        self.faults.push(fault);
     }
 }
 
@@ -82,111 +105,20 @@ pub fn run(plan: &Plan) -> Result<Report, LoadError> {
         faults: Vec::new(),
         replay: None,
     };
-    check_meshes(&stage, &mut report);
-    check_purpose(&stage, &mut report);
-    check_walks(&stage, plan, &tuning, &mut report);
+    let case = Case {
+        plan,
+        stage: &stage,
+        tuning: &tuning,
+    };
+    PARTS.iter().for_each(|check| check(&case, &mut report));
     Ok(report)
 }
 
-/// Every mesh of every collider and mover keeps its invariants.
-fn check_meshes(stage: &Stage, report: &mut Report) {
-    let Shape { stand, crouch } = Shape::hero();
-    let point = crate::geom::Collider::point();
-    let (mut count, mut vertices) = (0, 0);
-    for (size, collider) in [("standing", stand), ("crouching", crouch), ("point", point)] {
-        let meshes = match stage.meshes(&collider) {
-            Ok(meshes) => meshes,
-            Err(error) => {
-                report.faults.push(format!("{size} mesh: {error}"));
-                continue;
-            }
-        };
-        let level = std::iter::once(("the level".to_owned(), &meshes.level));
-        let names = stage.level.movers.iter();
-        let names = names.map(|mover| format!("mover {:?}", mover.id));
-        for (what, mesh) in level.chain(names.zip(&meshes.movers)) {
-            let mesh: &Mesh = mesh;
-            (count, vertices) = (count + 1, vertices + mesh.vertices().count());
-            if let Err(error) = mesh.check() {
-                report
-                    .faults
-                    .push(format!("{size} mesh of {what}: {error}"));
-            }
-        }
-    }
-    let line = format!("meshes    {count} built and checked, {vertices} vertices");
-    report.done.push(line);
-}
-
-/// A trigger that nothing waits for, and a region that solids fill, are mistakes of whoever made the level.
-fn check_purpose(stage: &Stage, report: &mut Report) {
-    let movers = 0..stage.level.movers.len();
-    let awaited: Vec<_> = movers.filter_map(|mover| stage.trigger(mover)).collect();
-    let land = stage.land(&Shape::hero());
-    let open = |id| {
-        let mesh = &land.as_ref().ok()?.stand.level;
-        let free = |&f: &_| mesh.cover(f).contains(&id) && !mesh.is_solid(f);
-        Some(mesh.faces().any(|f| free(&f)))
-    };
-    for (id, feature) in stage.features() {
-        let name = match feature.id.as_str() {
-            "" => "the goal box".to_owned(),
-            name => format!("feature {name:?}"),
-        };
-        if feature.kind == Kind::Trigger && !awaited.contains(&id) {
-            report
-                .faults
-                .push(format!("{name}: nothing waits for this trigger"));
-        }
-        if !feature.kind.is_terrain() && open(id) == Some(false) {
-            report.faults.push(format!(
-                "{name}: the standing hero can never be in it, for solids fill it"
-            ));
-        }
-    }
-}
-
-/// Random play from the start and from every checkpoint.
-fn check_walks(stage: &Arc<Stage>, plan: &Plan, tuning: &Tuning, report: &mut Report) {
-    let start = Start {
-        name: "the start".into(),
-        at: stage.level.start,
-    };
-    let checkpoint = |feature: &crate::level::Feature| {
-        let name = format!("checkpoint {:?}", feature.id);
-        feature.respawn.map(|at| Start { name, at })
-    };
-    let checkpoints = stage.level.features.iter().filter_map(checkpoint);
-    let starts: Vec<Start> = std::iter::once(start).chain(checkpoints).collect();
-    let walks = starts.len() as u64;
-    let Plan {
-        ticks,
-        tick_rate,
-        seed,
-        ..
-    } = *plan;
-    report.done.push(format!(
-        "walks     {walks}, together {ticks} ticks at {tick_rate} Hz, seed {seed}"
-    ));
-    for (number, start) in (0..).zip(&starts) {
-        // What is left over goes to the first walks.
-        let share = ticks / walks + u64::from(number < ticks % walks);
-        let mut player = Player::new(seed.wrapping_add(number));
-        let level = plan.level.to_string_lossy();
-        let mut replay = Replay::new(&level, stage, tick_rate, seed, tuning);
-        replay.start = (number > 0).then_some(start.at);
-        let world = match replay.world(Arc::clone(stage)) {
-            Ok(world) => world,
-            Err(error) => {
-                report.faults.push(format!("{}: {error}", start.name));
-                continue;
-            }
-        };
-        let Walk { replay, fault } = walk(world, share, replay, &mut player, World::check);
-        if let Some(fault) = fault {
-            report.faults.push(format!("from {}: {fault}", start.name));
-            report.replay.get_or_insert(replay);
-        }
+/// What a feature is called in a report.
+fn name_of(feature: &Feature) -> String {
+    match feature.id.as_str() {
+        "" => "the goal box".to_owned(),
+        id => format!("feature {id:?}"),
     }
 }
 
