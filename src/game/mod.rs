@@ -6,6 +6,7 @@
 mod blend;
 pub mod camera;
 pub mod framing;
+mod going;
 mod meshes;
 mod moves;
 mod paths;

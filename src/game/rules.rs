@@ -5,6 +5,7 @@
 //! a tick is cut changes no bit.
 
 use super::Input;
+use super::going::Going;
 use super::world::{HERO, World};
 use crate::anim::Leap;
 use crate::level::Kind;
@@ -81,10 +82,10 @@ impl World {
 
     /// Whether some mover waits for a trigger.
     fn waits_for(&self, trigger: FeatureId) -> bool {
-        let waits = |(i, start): (usize, &Option<f64>)| {
-            start.is_none() && self.stage.trigger(i) == Some(trigger)
+        let waits = |(i, going): (usize, &Going)| {
+            going.start.is_none() && self.stage.trigger(i) == Some(trigger)
         };
-        self.state.starts.iter().enumerate().any(waits)
+        self.state.going.iter().enumerate().any(waits)
     }
 
     /// All that is due at a time, which is now.
@@ -102,9 +103,9 @@ impl World {
 
     /// Sets going what waits for a trigger, for all bodies.
     fn start_movers(&mut self, trigger: FeatureId, at: f64) {
-        for (i, start) in self.state.starts.iter_mut().enumerate() {
-            if start.is_none() && self.stage.trigger(i) == Some(trigger) {
-                *start = Some(at);
+        for (i, going) in self.state.going.iter_mut().enumerate() {
+            if going.start.is_none() && self.stage.trigger(i) == Some(trigger) {
+                going.start = Some(at);
             }
         }
         self.look_again();
@@ -113,7 +114,7 @@ impl World {
     /// Brings the starts of the movers to all shapes and bodies.
     fn look_again(&mut self) {
         for land in Arc::make_mut(&mut self.lands) {
-            self.state.start_movers(land);
+            Going::bring(&self.state.going, land);
         }
         self.each(|body, terrain, trace| body.take_up_paths(terrain, trace));
     }
@@ -157,9 +158,9 @@ impl World {
     /// trigger waits again.
     pub(super) fn restart(&mut self) {
         self.state.forget_run(self.time());
-        for (i, start) in self.state.starts.iter_mut().enumerate() {
+        for (i, going) in self.state.going.iter_mut().enumerate() {
             if self.stage.trigger(i).is_some() {
-                *start = None;
+                *going = Going::default();
             }
         }
         self.look_again();

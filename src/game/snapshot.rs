@@ -1,5 +1,6 @@
 //! The whole state of a world as a plain value.
 
+use super::going::Going;
 use super::meshes::Shape;
 use super::stage::{Edit, EditError, Land, Stage};
 use super::world::{Actor, World};
@@ -32,8 +33,8 @@ pub(super) struct State {
     // Bodies, the hero first, and the shapes that they have.
     pub shapes: Vec<Shape>,
     pub actors: Vec<Actor>,
-    // The level: when each mover started, and where the hero comes back.
-    pub starts: Vec<Option<f64>>,
+    // The level: where each mover is on its way, and where the hero comes back.
+    pub going: Vec<Going>,
     pub checkpoint: Option<FeatureId>,
     // The tick before: what changed since then is an event.
     pub tuning: Motion,
@@ -63,7 +64,7 @@ pub(super) struct State {
 
 impl State {
     /// The hero alone, at tick 0.
-    pub fn new(land: &Land, hero: Body, rate: u32, seed: u64) -> State {
+    pub fn new(stage: &Stage, hero: Body, rate: u32, seed: u64) -> State {
         State {
             rate,
             seed,
@@ -74,7 +75,7 @@ impl State {
                 control: Control::default(),
                 body: hero,
             }],
-            starts: land.movers.iter().map(|mover| mover.start).collect(),
+            going: Going::at_first(stage),
             checkpoint: None,
             tuning: Motion::default(),
             retry: false,
@@ -95,20 +96,13 @@ impl State {
         }
     }
 
-    /// Lets a shape's movers be where the state says.
-    pub fn start_movers(&self, land: &mut Land) {
-        for (mover, start) in land.movers.iter_mut().zip(&self.starts) {
-            mover.start = *start;
-        }
-    }
-
     /// The ground for every shape.
     pub fn lands(&self, stage: &Stage) -> Vec<Land> {
         let land = |shape: &Shape| {
             let mut land = stage
                 .land(shape)
                 .expect("every shape has its meshes, and edits keep them within the world");
-            self.start_movers(&mut land);
+            Going::bring(&self.going, &mut land);
             land
         };
         self.shapes.iter().map(land).collect()
@@ -125,9 +119,7 @@ impl State {
 
     /// Keeps nothing that is about a level in which the bodies no longer are.
     pub fn forget_level(&mut self, stage: &Stage) {
-        let movers = stage.level.movers.len();
-        let start = |mover| stage.trigger(mover).is_none().then_some(0.0);
-        self.starts = (0..movers).map(start).collect();
+        self.going = Going::at_first(stage);
         self.checkpoint = None;
         self.secrets.clear();
         self.area = 0;
@@ -159,8 +151,8 @@ impl State {
         for id in self.checkpoint.iter().chain(&self.secrets) {
             hash.update(&id.to_le_bytes());
         }
-        for start in &self.starts {
-            hash.update(&time(*start).to_le_bytes());
+        for going in &self.going {
+            hash.update(&time(going.start).to_le_bytes());
         }
     }
 }

@@ -1,5 +1,6 @@
 //! The world: the hero and other bodies in one level, tick by tick.
 
+use super::going::Going;
 use super::meshes::Shape;
 use super::snapshot::State;
 use super::stage::{Edit, EditError, Land, Stage};
@@ -68,7 +69,7 @@ impl World {
         let body = Body::spawn(stage.level.start, 0.0, &land.terrain(&stage, &tuning))
             .expect("the stage was built with a free start");
         let mut world = World {
-            state: State::new(&land, body, tick_rate.max(1), seed),
+            state: State::new(&stage, body, tick_rate.max(1), seed),
             stage,
             lands: Arc::new(vec![land]),
             traces: vec![Trace::default()],
@@ -123,7 +124,7 @@ impl World {
             Some(index) => index,
             None => {
                 let mut land = self.stage.land(shape).map_err(AddError::Mesh)?;
-                self.state.start_movers(&mut land);
+                Going::bring(&self.state.going, &mut land);
                 Arc::make_mut(&mut self.lands).push(land);
                 self.state.shapes.push(shape.clone());
                 self.lands.len() - 1
