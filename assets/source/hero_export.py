@@ -20,23 +20,24 @@ def key_clip(rig, clip):
     action.use_fake_user = True
     rig.animation_data_create()
     rig.animation_data.action = action
-    if not action.slots:
-        action.slots.new("OBJECT", rig.name)
-    rig.animation_data.action_slot = action.slots[0]
+    slot = action.slots[0] if action.slots else action.slots.new("OBJECT", rig.name)
+    rig.animation_data.action_slot = slot
+    # Since Blender 5 the curves of an action are only to be had through its layers.
+    bag = action.layers.new("keys").strips.new(type="KEYFRAME").channelbag(slot, ensure=True)
     for joint in JOINTS:
         path = f'pose.bones["{joint}"].'
         turns = [pose.local(joint) for pose in poses]
         for before, after in zip(turns, turns[1:]):
             if before.dot(after) < 0.0:
                 after.negate()
-        _channel(action, path + "rotation_quaternion", turns)
-    _channel(action, 'pose.bones["hips"].location', [pose.shift() for pose in poses])
+        _channel(bag, path + "rotation_quaternion", turns)
+    _channel(bag, 'pose.bones["hips"].location', [pose.shift() for pose in poses])
     return action
 
 
-def _channel(action, path, values):
+def _channel(bag, path, values):
     for index in range(len(values[0])):
-        line = action.fcurves.new(path, index=index)
+        line = bag.fcurves.new(path, index=index)
         line.keyframe_points.add(len(values))
         flat = [number for key, value in enumerate(values) for number in (key, value[index])]
         line.keyframe_points.foreach_set("co", flat)
