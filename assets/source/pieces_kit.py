@@ -22,8 +22,22 @@ def vec(*xyz):
     return np.array(xyz, dtype=float)
 
 
+def dot(a, b):
+    """The scalar product, added up in a fixed order: NumPy's own takes a kernel that fits the processor, and the last digit with it."""
+    return float(a[0] * b[0] + a[1] * b[1] + a[2] * b[2])
+
+
+def times(a, b):
+    """A matrix of three columns times a vector or a matrix, for the same reason."""
+    return np.multiply.outer(a[:, 0], b[0]) + np.multiply.outer(a[:, 1], b[1]) + np.multiply.outer(a[:, 2], b[2])
+
+
+def norm(v):
+    return math.sqrt(dot(v, v))
+
+
 def unit(v):
-    length = np.linalg.norm(v)
+    length = norm(v)
     return v / length if length > 1e-12 else v * 0.0
 
 
@@ -65,8 +79,8 @@ WARM_WINDOW = Paint(0x8F6032, 0.10, glow=True)
 
 
 def linear(colour):
-    channels = np.array([(colour >> s & 255) / 255 for s in (16, 8, 0)])
-    return np.where(channels <= 0.04045, channels / 12.92, ((channels + 0.055) / 1.055) ** 2.4)
+    channels = [(colour >> s & 255) / 255 for s in (16, 8, 0)]
+    return vec(*(c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in channels))
 
 
 # ---- Placing ----------------------------------------------------------------------------------------------------------
@@ -78,7 +92,7 @@ def turned(x=0.0, y=0.0, z=0.0):
     rx = np.array([[1, 0, 0], [0, math.cos(a), -math.sin(a)], [0, math.sin(a), math.cos(a)]])
     ry = np.array([[math.cos(b), 0, math.sin(b)], [0, 1, 0], [-math.sin(b), 0, math.cos(b)]])
     rz = np.array([[math.cos(c), -math.sin(c), 0], [math.sin(c), math.cos(c), 0], [0, 0, 1]])
-    return rz @ ry @ rx
+    return times(times(rz, ry), rx)
 
 
 def frame_along(direction):
@@ -104,7 +118,7 @@ class Solid:
         """Without what lies beyond the plane normal . p = distance."""
         normal, kept, rim = unit(normal), [], []
         for face, mark in self.faces:
-            heights = [float(normal @ p) - distance for p in face]
+            heights = [dot(normal, p) - distance for p in face]
             if all(h <= EPSILON for h in heights):
                 kept.append((face, mark))
                 continue
@@ -118,7 +132,7 @@ class Solid:
             points = distinct(points)
             if len(points) >= 3:
                 kept.append((points, mark))
-            rim += [p for p in points if abs(float(normal @ p) - distance) < 10 * EPSILON]
+            rim += [p for p in points if abs(dot(normal, p) - distance) < 10 * EPSILON]
         rim = distinct(rim)
         if len(rim) >= 3 and len(kept) < len(self.faces) + 1:
             kept.append((around(rim, normal), tag))
@@ -139,14 +153,14 @@ class Solid:
         """With its sharp edges cut off, more or less wide; those behind and below, which are hardly seen, stay sharp."""
         result = self
         for p, q, m, n in self.edges():
-            if np.linalg.norm(q - p) < SHORT * width:
+            if norm(q - p) < SHORT * width:
                 continue
             seen = max(m[2], n[2], 0.8 * m[1], 0.8 * n[1])
-            if float(m @ n) > math.cos(math.radians(sharp)) or seen < 0.35:
+            if dot(m, n) > math.cos(math.radians(sharp)) or seen < 0.35:
                 continue
             amount = width * (1 + uneven * (rng.random() * 2 - 1) if rng else 1)
             normal = unit(m + n)
-            result = result.cut(normal, float(normal @ p) - amount * math.sqrt(0.5))
+            result = result.cut(normal, dot(normal, p) - amount * math.sqrt(0.5))
         return result
 
     def chip(self, rng, count, depth):
@@ -157,20 +171,20 @@ class Solid:
             corners = [p for face, _ in result.faces for p in face]
             corner = corners[rng.randrange(len(corners))]
             direction = unit(unit(corner - centre) + vec(*(rng.uniform(-0.5, 0.5) for _ in range(3))))
-            reach = max(float(direction @ p) for p in corners)
+            reach = max(dot(direction, p) for p in corners)
             result = result.cut(direction, reach - depth * rng.uniform(0.4, 1.0))
         return result
 
     def moved(self, rotation=None, offset=(0, 0, 0)):
         rotation = np.eye(3) if rotation is None else rotation
         offset = vec(*offset)
-        return Solid([([rotation @ p + offset for p in face], tag) for face, tag in self.faces])
+        return Solid([([times(rotation, p) + offset for p in face], tag) for face, tag in self.faces])
 
 
 def distinct(points):
     kept = []
     for p in points:
-        if all(np.linalg.norm(p - q) > EPSILON * 5 for q in kept):
+        if all(norm(p - q) > EPSILON * 5 for q in kept):
             kept.append(p)
     return kept
 
@@ -179,7 +193,7 @@ def around(points, normal):
     """Points of a convex polygon, counter-clockwise about its normal."""
     side, up = frame_along(normal)
     middle = np.mean(points, axis=0)
-    return sorted(points, key=lambda p: math.atan2(float((p - middle) @ up), float((p - middle) @ side)))
+    return sorted(points, key=lambda p: math.atan2(dot((p - middle), up), dot((p - middle), side)))
 
 
 def polygon_normal(face):
@@ -199,16 +213,16 @@ def hull(points):
                 n = unit(np.cross(points[j] - points[i], points[k] - points[i]))
                 if not n.any():
                     continue
-                heights = [float(n @ (p - points[i])) for p in points]
+                heights = [dot(n, (p - points[i])) for p in points]
                 if max(heights) > 1e-6 and min(heights) < -1e-6:
                     continue
                 n = n if max(heights) <= 1e-6 else -n
-                d = float(n @ points[i])
-                if all(float(n @ m) < 0.99999 or abs(d - e) > 1e-5 for m, e in planes):
+                d = dot(n, points[i])
+                if all(dot(n, m) < 0.99999 or abs(d - e) > 1e-5 for m, e in planes):
                     planes.append((n, d))
     faces = []
     for n, d in planes:
-        on = distinct([p for p in points if abs(float(n @ p) - d) < 1e-5])
+        on = distinct([p for p in points if abs(dot(n, p) - d) < 1e-5])
         faces.append((around(on, n), "face"))
     return Solid(faces)
 
@@ -278,7 +292,7 @@ class Piece:
     def solid(self, solid, paint, at=(0, 0, 0), turn=None, drop=None):
         """Adds a solid; `drop` is a direction whose faces nobody sees."""
         for face, tag in solid.moved(turn, at).faces:
-            if drop is not None and float(polygon_normal(face) @ vec(*drop)) > 0.98:
+            if drop is not None and dot(polygon_normal(face), vec(*drop)) > 0.98:
                 continue
             self.poly(face, paint, tag)
 
@@ -311,7 +325,7 @@ class Piece:
             along = unit(path[min(i + 1, len(path) - 1)] - path[max(i - 1, 0)])
             if side is None:
                 side, _ = frame_along(along)
-            side = unit(side - along * float(side @ along))
+            side = unit(side - along * dot(side, along))
             up = np.cross(along, side)
             angles = [2 * math.pi * (k + spin) / sides for k in range(sides)]
             rings.append([p + (side * math.cos(t) + up * math.sin(t)) * radii[i] for t in angles])
@@ -333,7 +347,7 @@ class Piece:
 
         def ring(height, radius):
             angles = [2 * math.pi * (i + spin) / sides for i in range(sides)]
-            return [turn @ vec(radius * math.cos(t), height, -radius * math.sin(t)) + at for t in angles]
+            return [times(turn, vec(radius * math.cos(t), height, -radius * math.sin(t))) + at for t in angles]
 
         rings = [ring(h, r) for h, r in profile]
         paints = paint if isinstance(paint, list) else [paint] * (len(profile) - 1)
@@ -367,7 +381,7 @@ class Piece:
         for number, (points, paint, tag) in enumerate(self.faces):
             for i in range(2, len(points)):
                 corners = [points[0], points[i - 1], points[i]]
-                if np.linalg.norm(np.cross(corners[1] - corners[0], corners[2] - corners[0])) > 1e-8:
+                if norm(np.cross(corners[1] - corners[0], corners[2] - corners[0])) > 1e-8:
                     found.append((corners, paint, tag, number))
         return found
 
@@ -392,7 +406,7 @@ def bake(piece):
     triangles = piece.triangles()
     points = np.array([t[0] for t in triangles])
     low, high = points.min(axis=(0, 1)), points.max(axis=(0, 1))
-    size = float(np.linalg.norm(high - low))
+    size = norm(high - low)
     reach = min(max(0.30 * size, 0.35), 3.5)
     soup = [tuple(p) for t in points for p in t]
     indices = [(3 * i, 3 * i + 1, 3 * i + 2) for i in range(len(triangles))]
@@ -406,7 +420,7 @@ def bake(piece):
     directions, cache, baked = hemisphere(), {}, []
     for (corners, paint, tag, number), place in zip(triangles, points):
         normal = unit(np.cross(place[1] - place[0], place[2] - place[0]))
-        rays, middle = directions @ np.array([*frame_along(normal), normal]), place.mean(axis=0)
+        rays, middle = times(directions, np.array([*frame_along(normal), normal])), place.mean(axis=0)
 
         def sky(point, lift):
             return openness(tree, Vector, point + normal * lift, rays, reach)

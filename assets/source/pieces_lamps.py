@@ -2,7 +2,7 @@
 
 import math
 
-from pieces_kit import DARK, FLAME, GLASS, IRON, OLD_WOOD, RUST, Piece, turned, vec
+from pieces_kit import DARK, FLAME, GLASS, IRON, OLD_WOOD, RUST, Piece, times, turned, vec
 
 COLOUR = (3.4, 1.75, 0.60)  # linear light of a flame
 REACH = 9.0
@@ -15,7 +15,7 @@ def lamp(p, top, lit, size=1.0, tilt=0.0):
     metal = IRON if lit else RUST.shifted(0.75)
 
     def place(y):
-        return top + lean @ vec(0, y * size, 0)
+        return top + times(lean, vec(0, y * size, 0))
 
     p.lathe([(-0.10, 0.025), (0.0, 0.025)], 5, metal, place(0), lean)
     roof = [(h * size, r * size) for h, r in ((-0.30, 0.20), (-0.25, 0.21), (-0.16, 0.09), (-0.09, 0.06))]
@@ -27,11 +27,11 @@ def lamp(p, top, lit, size=1.0, tilt=0.0):
         for side in (1, 4):
             a, b = (2 * math.pi * (side + k + 0.5) / 6 for k in (0, 1))
             ring = [(r * math.cos(t), y, -r * math.sin(t)) for (y, r), t in ((panes[0], a), (panes[0], b), (panes[1], b))]
-            p.poly([top + lean @ vec(*q) for q in ring], GLASS, both=True)
+            p.poly([top + times(lean, vec(*q)) for q in ring], GLASS, both=True)
     for i in range(6):
         t = 2 * math.pi * (i + 0.5) / 6
-        low = top + lean @ vec(0.125 * size * math.cos(t), -0.57 * size, -0.125 * size * math.sin(t))
-        high = top + lean @ vec(0.175 * size * math.cos(t), -0.29 * size, -0.175 * size * math.sin(t))
+        low = top + times(lean, vec(0.125 * size * math.cos(t), -0.57 * size, -0.125 * size * math.sin(t)))
+        high = top + times(lean, vec(0.175 * size * math.cos(t), -0.29 * size, -0.175 * size * math.sin(t)))
         p.tube([low, high], 0.026 * size, 3, metal, caps=False)
     p.lathe([(-0.62 * size, 0.09 * size), (-0.56 * size, 0.15 * size), (-0.54 * size, 0.14 * size)], 6, metal, top, lean)
     if lit:

@@ -2,7 +2,7 @@
 
 import math
 
-from pieces_kit import IRON, OLD_WOOD, ROPE, STONE, WOOD, Paint, Piece, boulder, turned, vec
+from pieces_kit import IRON, OLD_WOOD, ROPE, STONE, WOOD, Paint, Piece, boulder, times, turned, vec
 
 SACK = Paint(0x9C8763, 0.10)
 INSIDE = Paint(0x4A372B, 0.08)
@@ -48,7 +48,7 @@ def crates():
         band = size * 1.06
         for y in (0.0, 0.88):
             p.block(vec(*at) + vec(0, y * size, 0), (band, size * 0.14, band), wood.shifted(1.1), bevel=0.012, turn=turn)
-        p.block(vec(*at) + turn @ vec(0, 0.12 * size, size * 0.5), (size * 0.16, size * 0.76, 0.05), wood.shifted(1.1), turn=turn)
+        p.block(vec(*at) + times(turn, vec(0, 0.12 * size, size * 0.5)), (size * 0.16, size * 0.76, 0.05), wood.shifted(1.1), turn=turn)
 
     plain((-0.50, 0, 0), 0.92, 6, WOOD)
     plain((0.48, 0, -0.08), 0.78, -11, OLD_WOOD)
@@ -79,7 +79,7 @@ def wheel(p, at, r, turn, broken=False):
 
     def place(k, radius, z):
         a = 2 * math.pi * k / n
-        return vec(*at) + turn @ vec(radius * math.cos(a), radius * math.sin(a), z)
+        return vec(*at) + times(turn, vec(radius * math.cos(a), radius * math.sin(a), z))
 
     for k in range(n):
         if broken and k in (1, 2):
@@ -88,7 +88,7 @@ def wheel(p, at, r, turn, broken=False):
     for k in range(0, n, 2 if broken else 4):
         end = 0.55 if broken and k == 2 else 0.92
         p.beam(place(k, 0.08, 0), place(k, r * end, 0), 0.028, OLD_WOOD)
-    p.lathe([(-0.09, 0.10), (0.09, 0.10)], 6, IRON, at, turn @ turned(x=90))
+    p.lathe([(-0.09, 0.10), (0.09, 0.10)], 6, IRON, at, times(turn, turned(x=90)))
 
 
 def cart():
@@ -96,7 +96,7 @@ def cart():
     tilt = turned(z=-7)
 
     def at(x, y, z):
-        return tilt @ vec(x, y, z) + vec(0, 0.62, 0)
+        return times(tilt, vec(x, y, z)) + vec(0, 0.62, 0)
 
     for k in range(4):
         z = -0.42 + 0.28 * k

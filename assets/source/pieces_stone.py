@@ -2,7 +2,7 @@
 
 import math
 
-from pieces_kit import DARK, MOSS, PALE, STONE, Paint, Piece, boulder, box, drum, hull, prism, turned, vec
+from pieces_kit import DARK, MOSS, PALE, STONE, Paint, Piece, boulder, box, drum, hull, prism, times, turned, vec
 
 MOULDING = PALE.shifted(1.08)
 HOLLOW = Paint(0x34353F, 0.05)
@@ -106,12 +106,12 @@ def pillar_fallen():
     for i, (length, gap, tilt) in enumerate(((1.75, 0.10, 3), (1.35, 0.28, -5), (0.95, 0.0, 9))):
         r = 0.47 - 0.02 * i
         solid = drum(r, r - 0.02, length, 9, p.rng.random()).bevel(0.035, p.rng, 0.6, 55).chip(p.rng, 3, 0.2)
-        turn = turned(y=tilt) @ turned(z=-90 + tilt * 0.4)
+        turn = times(turned(y=tilt), turned(z=-90 + tilt * 0.4))
         p.solid(solid, PALE, (x, r * 0.86, 0.06 * tilt * 0.3), turn)
         x += length + gap
     capital = drum(0.42, 0.62, 0.30, 9).chip(p.rng, 2, 0.15)
-    p.solid(capital, MOULDING, (2.15, 0.40, 0.15), turned(y=24) @ turned(z=-104))
-    p.block((2.72, 0.16, 0.22), (0.24, 1.15, 1.15), STONE, bevel=0.05, chips=3, turn=turned(y=24) @ turned(z=-20))
+    p.solid(capital, MOULDING, (2.15, 0.40, 0.15), times(turned(y=24), turned(z=-104)))
+    p.block((2.72, 0.16, 0.22), (0.24, 1.15, 1.15), STONE, bevel=0.05, chips=3, turn=times(turned(y=24), turned(z=-20)))
     for x, z, size in ((-0.4, 0.62, 0.15), (1.2, 0.66, 0.20), (-2.5, 0.55, 0.13)):
         p.solid(boulder(p.rng, (size, size * 0.7, size), 9), STONE, (x, size * 0.45, z))
     return p
@@ -161,14 +161,14 @@ def arch_broken():
     for i in (0, 1, COUNT - 1):
         wedge(p, i, COUNT, (STONE if i % 2 else PALE), (0, SPRING, 0))
     for at, tilt in (((0.75, 0.36, 0.25), 62), ((-0.65, 0.34, -0.1), 17), ((-1.25, 0.40, 0.45), 130)):
-        wedge(p, 3, COUNT, PALE, at, turned(x=p.rng.uniform(-15, 15), y=p.rng.uniform(-30, 30)) @ turned(z=tilt))
+        wedge(p, 3, COUNT, PALE, at, times(turned(x=p.rng.uniform(-15, 15), y=p.rng.uniform(-30, 30)), turned(z=tilt)))
     return p
 
 
 def statue_head():
     """A fallen colossus, sunk to the jaw, looking past us."""
     p = Piece("statue_head")
-    lean = turned(y=-38) @ turned(x=-12, z=14)
+    lean = times(turned(y=-38), turned(x=-12, z=14))
     at = (0.1, 1.15, 0)
 
     def add(solid, paint, place, turn=None):
