@@ -31,8 +31,12 @@ package_names() {
         apt-get:sdl2) echo libsdl2-dev ;;
         *:valgrind) echo valgrind ;;
         apt-get:opengl) echo libegl1 libgl1-mesa-dri ;;
+        apt-get:blender) echo libxi6 libxxf86vm1 libxfixes3 libxrender1 libgl1 libsm6 libxkbcommon0 ;;
         dnf:compiler) echo gcc-c++ ;;
         dnf:sdl2) echo SDL2-devel ;;
+        dnf:blender) echo libXi libXxf86vm libXfixes libXrender libGL libSM libxkbcommon ;;
+        pacman:blender) echo libxi libxxf86vm libxfixes libxrender libgl libsm libxkbcommon ;;
+        zypper:blender) echo libXi6 libXxf86vm1 libXfixes3 libXrender1 libGL1 libSM6 libxkbcommon0 ;;
         dnf:opengl) echo mesa-libEGL mesa-libGL mesa-dri-drivers ;;
         pacman:compiler) echo gcc ;;
         pacman:sdl2) echo sdl2-compat ;;
@@ -51,6 +55,8 @@ have() {
         compiler) have_commands cc c++ ;;
         valgrind) have_commands valgrind ;;
         sdl2) links_with -lSDL2 ;;
+        # What Blender as a module links with, even without a window.
+        blender) [[ "$(uname)" == Darwin ]] || { links_with -l:libXi.so.6 && links_with -l:libSM.so.6 && links_with -l:libxkbcommon.so.0; } ;;
         opengl) [[ "$(uname)" == Darwin ]] || { links_with -l:libEGL.so.1 && have_mesa_driver; } ;;
     esac
 }

@@ -1,7 +1,7 @@
 """Builds assets/models/pieces.glb, the set pieces of the game.
 
-    python -m pip install bpy
-    python assets/source/pieces.py
+    python assets/source/pieces.py            with Blender as a Python module (see README.md here)
+    python assets/source/pieces.py --check    only tells whether the file is what these scripts make
 
 Each piece is a function in a file of its family (pieces_stone.py and so on); what they have in common is in pieces_kit.py.
 `pieces_preview.py` makes pictures of them.
@@ -15,6 +15,7 @@ import bpy
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
 
+import glb  # noqa: E402
 import pieces_cloth  # noqa: E402
 import pieces_distance  # noqa: E402
 import pieces_lamps  # noqa: E402
@@ -28,6 +29,7 @@ from pieces_kit import bake  # noqa: E402
 FAMILIES = [
     pieces_stone, pieces_lamps, pieces_cloth, pieces_machines, pieces_plants, pieces_left, pieces_distance, pieces_marks,
 ]  # fmt: skip
+TARGET = HERE.parent / "models" / "pieces.glb"
 FEWEST, MOST = 20, 600  # triangles of a piece
 
 
@@ -114,16 +116,22 @@ def export(path):
     )
 
 
-def main():
+def make(target):
+    """Writes all pieces, and tells how many triangles each has."""
     built = build()
     for name, (_, triangles) in built.items():
         note = "" if FEWEST <= triangles <= MOST else "  <-- not within bounds"
         print(f"{name:24}{triangles:5}{note}")
     print(f"{len(built)} pieces, {sum(triangles for _, triangles in built.values())} triangles")
-    target = HERE.parent / "models" / "pieces.glb"
     target.parent.mkdir(exist_ok=True)
     export(target)
     print(f"{target.name}: {target.stat().st_size} bytes")
+
+
+def main():
+    if sys.argv[1:] == ["--check"]:
+        sys.exit(glb.check(make, TARGET))
+    make(TARGET)
 
 
 if __name__ == "__main__":
