@@ -10,6 +10,7 @@ mod cases;
 mod clock;
 mod exactness;
 mod flat;
+mod floors;
 mod hard;
 mod level;
 mod machine;
@@ -51,7 +52,8 @@ fn main() {
     exactness::write(&mut page, quick);
     done("exactness");
     let held = cases::write(&mut page);
-    done("hard cases");
+    floors::write(&mut page);
+    done("hard cases and floors");
     let scaling = scaling::write(&mut page, quick);
     done("scaling");
     stability::write(&mut page, quick);

@@ -55,7 +55,7 @@ pub fn jump() -> Scene {
         slides: false,
         ..empty(
             "jump",
-            "jumps with 12 m/s up and 5 m/s ahead, lands a metre lower, glides on",
+            "jumps with 12 m/s up and 5 m/s ahead, lands a metre lower on a floor of one piece, 45 m wide, glides on",
             2.0,
         )
     }
@@ -74,7 +74,7 @@ pub fn slope() -> Scene {
         exact: Arc::new(move |shape, t| Some(path.at(shape, t))),
         ..empty(
             "slope",
-            "falls onto an icy slope of 28 degrees and slides down it",
+            "falls onto an icy slope of 28 degrees, of one piece, 90 m wide, and slides down it",
             2.0,
         )
     }
@@ -91,7 +91,7 @@ pub fn seamed() -> Scene {
         exact: Arc::new(|_, t| Some(v(0.5 + 5.0 * t, 0.0))),
         ..empty(
             "seams",
-            "walks 50 m over a level floor of 1000 boxes, at 5 m/s",
+            "walks 50 m over a level floor of 1000 boxes, each 1 m wide, at 5 m/s",
             10.0,
         )
     }
@@ -125,7 +125,7 @@ pub fn hill(speed: f64) -> Scene {
         }),
         ..empty(
             "hill",
-            "glides over a crest fast enough to take off, lands on the far side, slides on",
+            "glides over a crest of one piece, 95 m wide, fast enough to take off, lands on the far side, slides on",
             2.0,
         )
     }
@@ -156,7 +156,7 @@ pub fn lift() -> Scene {
         exact: Arc::new(move |_, t| Some(lift.offset(t))),
         ..empty(
             "lift",
-            "stands on a lift that rises 10 m in 2 s, speeding up and braking at 10 m/s^2",
+            "stands on a lift, 6 m wide, that rises 10 m in 2 s, speeding up and braking at 10 m/s^2",
             3.0,
         )
     }

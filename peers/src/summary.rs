@@ -42,7 +42,7 @@ pub fn settings(page: &mut Page) {
         .map(|maker| format!("**{}**: {}.", maker.name, maker.settings));
     page.list(&all.collect::<Vec<_>>());
     page.say(
-        "All peers are driven alike: a tick takes gravity into the velocity, moves the body by it, and takes what contacts leave of \
+        "The convex shapes of Rapier and Parry have kept all of their corners: that is asserted. All peers are driven alike: a tick takes gravity into the velocity, moves the body by it, and takes what contacts leave of \
          it; who walks has his speed along x set at every tick, and no gravity while he stands. A lift moves before the body \
          does, for Rapier after it. Rapier, Parry and push out start as far above ground as they like to be. Box2D takes a capsule \
          as wide and as high as the boxes of the others; each scene's exact trajectory is that of the shape.",

@@ -118,7 +118,7 @@ impl Drop for Box2d {
     }
 }
 
-/// A shape for an outline.
+/// A shape for an outline: a polygon if its hull has kept every corner, else all of its sides.
 fn add(body: b2BodyId, outline: &[DVec2]) {
     let points: Vec<b2Vec2> = outline.iter().map(|&p| vector(p)).collect();
     // SAFETY: the points live through the calls, and a polygon is made of a valid hull only.

@@ -53,5 +53,6 @@ pub fn all() -> Vec<Maker> {
         push_out::maker(),
         box2d::middle_maker(),
         rapier::middle_maker(),
+        rapier::pressed_maker(),
     ]
 }

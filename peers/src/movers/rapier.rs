@@ -9,7 +9,7 @@ use rapier2d::prelude::*;
 
 const SETTINGS: &str = "box 13/16 by 29/16 m; all defaults of the controller: offset 1 % of the height, slopes to 45 degrees, snap to \
     ground 20 % of the height, no autostep; where a scene slides on a slope, `min_slope_slide_angle` and `max_slope_climb_angle` 0 and \
-    no snap. Convex outlines are convex polygons, others polylines. Who stands has no \
+    no snap. Convex outlines are convex polygons (`convex_polyline_unmodified`), others polylines. Who stands has no \
     gravity, and every surface that was hit takes the velocity into it";
 
 /// The outlines as a world of Rapier's.
@@ -61,9 +61,21 @@ fn collider(outline: &[DVec2]) -> ColliderBuilder {
         ColliderBuilder::polyline(points, Some(sides))
     };
     match is_convex(outline) {
-        true => ColliderBuilder::convex_polyline(points.clone()).unwrap_or_else(|| loop_of(points)),
+        true => ColliderBuilder::new(convex(points)),
         false => loop_of(points),
     }
+}
+
+/// A convex polygon with all of its corners. The constructor without `unmodified` leaves out corners that bend by less than 1.5
+/// degrees, without a word, and makes nothing of 257 corners or more.
+fn convex(points: Vec<Vector>) -> SharedShape {
+    let count = points.len();
+    let shape = SharedShape::convex_polyline_unmodified(points).expect("three corners or more");
+    let kept = shape
+        .as_convex_polygon()
+        .map(|polygon| polygon.points().len());
+    assert_eq!(kept, Some(count), "corners that the peer has kept");
+    shape
 }
 
 /// A form as a shape about its middle.
@@ -73,7 +85,7 @@ pub fn shape_of(form: &Form) -> SharedShape {
         return SharedShape::cuboid(size.x as f32, (0.5 * size.y) as f32);
     }
     let corners = form.corners.iter().map(|&p| single(p - form.middle()));
-    SharedShape::convex_polyline(corners.collect()).expect("a convex form")
+    convex(corners.collect())
 }
 
 pub struct Rapier {
@@ -84,13 +96,26 @@ pub struct Rapier {
     middle: DVec2,
     /// On walkable ground after the last move: then gravity is left out, as the guide's examples do.
     stands: bool,
+    /// Speed down at which it is moved while it stands, m/s.
+    press: f64,
 }
+
+/// The controller looks for ground only where a movement goes down. So who stands may be moved down a little: 0.3 m/s.
+const PRESS: f64 = 0.3;
 
 pub fn maker() -> Maker {
     Maker {
         name: "Rapier",
         settings: SETTINGS,
-        make: |scene| walker(scene, "Rapier", Rule::Euler),
+        make: |scene| walker(scene, "Rapier", Rule::Euler, 0.0),
+    }
+}
+
+pub fn pressed_maker() -> Maker {
+    Maker {
+        name: "Rapier, pressed down",
+        settings: "the same as Rapier, but who stands is moved down at 0.3 m/s beside his walk: the controller snaps to ground only then",
+        make: |scene| walker(scene, "Rapier, pressed down", Rule::Euler, PRESS),
     }
 }
 
@@ -98,17 +123,23 @@ pub fn middle_maker() -> Maker {
     Maker {
         name: "Rapier, mean velocity",
         settings: "the same, moved by the mean of the velocities before and after the tick instead of semi-implicit Euler",
-        make: |scene| walker(scene, "Rapier, mean velocity", Rule::Middle),
+        make: |scene| walker(scene, "Rapier, mean velocity", Rule::Middle, 0.0),
     }
 }
 
-fn walker(scene: &Scene, name: &'static str, rule: Rule) -> Result<Box<dyn Mover>, &'static str> {
+fn walker(
+    scene: &Scene,
+    name: &'static str,
+    rule: Rule,
+    press: f64,
+) -> Result<Box<dyn Mover>, &'static str> {
     let form = Form::of(&box_collider());
     let mut mover = Rapier::new(
         &form,
         &scene.solids,
         scene.lift.as_ref().map(|lift| &lift.outline[..]),
     );
+    mover.press = press;
     if scene.slides {
         mover.controller.min_slope_slide_angle = 0.0;
         mover.controller.max_slope_climb_angle = 0.0;
@@ -126,6 +157,7 @@ impl Rapier {
             shape: shape_of(form),
             middle: form.middle(),
             stands: false,
+            press: 0.0,
         }
     }
 }
@@ -139,8 +171,8 @@ impl Slide for Rapier {
         let world = &self.solids.world;
         let queries = world.query_pipeline();
         let (start, mut wish, mut speed) = (single(at + self.middle), single(delta), velocity);
-        if self.stands && wish.y < 0.0 {
-            (wish.y, speed.y) = (0.0, 0.0);
+        if self.stands && wish.y <= 0.0 {
+            (wish.y, speed.y) = ((-self.press * dt) as f32, 0.0);
         }
         let pose = Pose::from_translation(start);
         let note = |hit: CharacterCollision| {
