@@ -60,10 +60,10 @@ pub enum Command {
         /// The replay file.
         replay: PathBuf,
     },
-    /// Write what a replay sounds like.
+    /// Write what a replay, or a file of sound, is heard as.
     Soundtrack {
-        /// The replay file.
-        replay: PathBuf,
+        /// What is heard.
+        of: Heard,
         /// The WAV to write.
         file: PathBuf,
     },
@@ -71,6 +71,15 @@ pub enum Command {
     Check(check::Plan),
     /// Open a window.
     Window(Options),
+}
+
+/// What a soundtrack is of.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Heard {
+    /// A replay file.
+    Replay(PathBuf),
+    /// A file of sound or music.
+    Sound(PathBuf),
 }
 
 /// How to run with a window.
@@ -188,7 +197,11 @@ pub fn parse(args: impl IntoIterator<Item = OsString>) -> Result<Command, UsageE
         return Ok(Command::Headless { replay });
     }
     if let Some(file) = given.path("soundtrack") {
-        return Ok(Command::Soundtrack { replay, file });
+        let of = match given.path("sound") {
+            Some(sound) => Heard::Sound(sound),
+            None => Heard::Replay(replay),
+        };
+        return Ok(Command::Soundtrack { of, file });
     }
     if let Some(level) = given.path("check") {
         return Ok(Command::Check(given.check_plan(level)?));
@@ -231,6 +244,7 @@ const VALUED: &[&str] = &[
     "replay",
     "screenshot",
     "soundtrack",
+    "sound",
     "at",
     "film",
     "seconds",
@@ -303,13 +317,15 @@ const CONTRADICTIONS: &[(&str, &[&str], &str)] = &[
         "without a window there is nothing to show",
     ),
     ("soundtrack", &["headless"], "one thing at a time"),
+    ("sound", &["replay"], "one thing at a time"),
 ];
 
 /// Options that are pointless without another one, or without one of several.
 const NEEDS: &[(&str, &[&str])] = &[
     ("ticks", &["check"]),
     ("headless", &["replay"]),
-    ("soundtrack", &["replay"]),
+    ("soundtrack", &["replay", "sound"]),
+    ("sound", &["soundtrack"]),
     ("screenshot", &["at"]),
     ("at", &["screenshot", "film"]),
     ("film", &["seconds"]),

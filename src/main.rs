@@ -1,7 +1,7 @@
 //! The game's program: understands its arguments, then plays.
 
 use edgewalker::cli::check::{self, Plan};
-use edgewalker::cli::{self, Command, Options};
+use edgewalker::cli::{self, Command, Heard, Options};
 use std::path::Path;
 use std::process::ExitCode;
 
@@ -12,7 +12,7 @@ fn main() -> ExitCode {
         Ok(Command::Headless { replay }) => cli::headless::play(&replay)
             .map_err(|e| e.to_string())
             .and_then(|summary| print(&summary.to_string())),
-        Ok(Command::Soundtrack { replay, file }) => write_soundtrack(&replay, &file),
+        Ok(Command::Soundtrack { of, file }) => write_soundtrack(&of, &file),
         Ok(Command::Check(plan)) => check(&plan),
         Ok(Command::Window(options)) => play(&options),
         Err(error) => {
@@ -63,12 +63,17 @@ fn play(options: &Options) -> Result<(), String> {
 }
 
 #[cfg(feature = "shell")]
-fn write_soundtrack(replay: &Path, file: &Path) -> Result<(), String> {
-    edgewalker::shell::audio::soundtrack::write(replay, file).map_err(|e| e.to_string())
+fn write_soundtrack(of: &Heard, file: &Path) -> Result<(), String> {
+    use edgewalker::shell::audio::soundtrack;
+    let written = match of {
+        Heard::Replay(replay) => soundtrack::write(replay, file),
+        Heard::Sound(sound) => soundtrack::write_sound(sound, file),
+    };
+    written.map_err(|e| e.to_string())
 }
 
 #[cfg(not(feature = "shell"))]
-fn write_soundtrack(_: &Path, _: &Path) -> Result<(), String> {
+fn write_soundtrack(_: &Heard, _: &Path) -> Result<(), String> {
     Err("this build has no sound: it plays replays only (--headless --replay FILE)".into())
 }
 

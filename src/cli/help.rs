@@ -19,6 +19,7 @@ Runs as values
   --screenshot FILE   Write one picture as PNG and leave; needs --at
   --at TICK           The tick of the picture, or before the film: of the replay, or of a run without input
   --soundtrack FILE   With --replay: no window, write what is heard of the run as WAV
+  --sound FILE        With --soundtrack, in place of --replay: one file of sound or music as the game decodes it
   --film FILE         Write 60 pictures a second into FILE, as PPM one after the other, and leave; needs --seconds. FILE may
                       be a pipe (scripts/video)
   --seconds N         How long the film is

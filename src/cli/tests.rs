@@ -157,6 +157,8 @@ fn nonsense_is_refused_with_the_reason() {
         ),
         ("--screenshot a.png", "--screenshot needs --at"),
         ("--film a", "--film needs --seconds"),
+        ("--soundtrack a", "--soundtrack needs --replay or --sound"),
+        ("--sound a.ogg", "--sound needs --soundtrack"),
         (
             "--preset ultra",
             "--preset: `ultra` is not low, medium or high",
@@ -177,4 +179,23 @@ fn nonsense_is_refused_with_the_reason() {
     ] {
         assert_eq!(parse_text(text), Err(message.to_string()), "{text}");
     }
+}
+
+#[test]
+fn a_soundtrack_is_of_a_replay_or_of_a_sound() {
+    let file = || "out.wav".into();
+    let of = Heard::Replay("a.ron".into());
+    let expected = Command::Soundtrack { of, file: file() };
+    assert_eq!(
+        parse_text("--soundtrack out.wav --replay a.ron"),
+        Ok(expected)
+    );
+    let of = Heard::Sound("a.ogg".into());
+    let expected = Command::Soundtrack { of, file: file() };
+    assert_eq!(
+        parse_text("--soundtrack out.wav --sound a.ogg"),
+        Ok(expected)
+    );
+    let both = parse_text("--soundtrack out.wav --sound a.ogg --replay a.ron");
+    assert!(both.is_err_and(|e| e.contains("one thing at a time")));
 }

@@ -9,8 +9,8 @@ use edgewalker::cli::load;
 use edgewalker::game::{Input, Replay};
 use edgewalker::shell::audio::Volumes;
 use edgewalker::shell::audio::bank::SOUNDS;
-use edgewalker::shell::audio::decode::{RATE, Reader, decode, decode_loop};
-use edgewalker::shell::audio::soundtrack::render;
+use edgewalker::shell::audio::decode::{RATE, Reader, decode, decode_as_played};
+use edgewalker::shell::audio::soundtrack::{render, write_sound};
 use edgewalker::shell::audio::stems::MUSIC;
 use edgewalker::sound::{Layer, Loop, Piece, Sound};
 use edgewalker::tune::Tuning;
@@ -39,12 +39,7 @@ const SIZE: u64 = 12_000_000;
 
 /// As the game decodes it.
 fn all(path: &Path) -> Vec<Frame> {
-    let loops: BTreeSet<PathBuf> = loops().chain(layers()).collect();
-    let decoded = match loops.contains(path) {
-        true => decode_loop(path),
-        false => decode(path),
-    };
-    decoded.unwrap_or_else(|e| panic!("{e}"))
+    decode_as_played(path).unwrap_or_else(|e| panic!("{e}"))
 }
 
 fn sounds() -> impl Iterator<Item = PathBuf> {
@@ -290,6 +285,32 @@ fn what_is_no_sound_is_named() {
     ] {
         let error = decode(Path::new(path)).err().unwrap().to_string();
         assert!(error.starts_with(path) && error.contains(reason), "{error}");
+    }
+}
+
+/// One sound as plain samples: all of it, as the game plays it.
+#[test]
+fn a_sound_is_written_as_it_is_played() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR"));
+    for path in [
+        Path::new(SOUNDS).join("belt.ogg"),
+        Path::new(SOUNDS).join("checkpoint.ogg"),
+    ] {
+        let file = folder.join("sound.wav");
+        write_sound(&path, &file).unwrap_or_else(|e| panic!("{e}"));
+        let bytes = std::fs::read(&file).unwrap();
+        let plain = bytes[44..]
+            .chunks_exact(2)
+            .map(|b| i16::from_le_bytes([b[0], b[1]]));
+        let frames = all(&path);
+        let played = frames.iter().flat_map(|frame| [frame.left, frame.right]);
+        assert_eq!(plain.len(), 2 * frames.len(), "{path:?}");
+        for (plain, played) in plain.zip(played) {
+            assert!(
+                (f32::from(plain) / f32::from(i16::MAX) - played).abs() < 2e-5,
+                "{path:?}"
+            );
+        }
     }
 }
 

@@ -2,11 +2,17 @@
 
 One tile each: the spectrogram (40 Hz to 16 kHz, a decade per third of the height; black to white: 80 dB), below it the
 wave. Prints for each: seconds, loudness of the loudest 0.4 s (LUFS), peak (dB), mean.
+
+The game itself decodes them, so that what is judged is what is heard: loops without their margins, and every sound to its end
+(ffmpeg leaves out the last 128 samples of an Ogg Vorbis file, 2.7 ms, and a loop then seems to click). It needs the game to be
+built: `cargo build --release`.
 """
 
 import struct
 import subprocess
 import sys
+import tempfile
+import wave
 import zlib
 from pathlib import Path
 
@@ -14,13 +20,18 @@ import numpy as np
 
 from synth import RATE, loudness
 
+GAME = Path(__file__).resolve().parents[3] / "target/release/edgewalker"
 WIDE, TALL, WAVE, COLUMNS = 300, 170, 50, 6
 
 
 def read(path):
-    command = ["ffmpeg", "-v", "error", "-i", str(path), "-f", "f32le", "-ac", "2", "-ar", str(RATE), "-"]
-    raw = subprocess.run(command, capture_output=True, check=True).stdout
-    return np.frombuffer(raw, "<f4").reshape(-1, 2).T.astype(float)
+    """The two channels of a file as the game plays it."""
+    with tempfile.TemporaryDirectory() as folder:
+        plain = Path(folder) / "sound.wav"
+        subprocess.run([GAME, "--soundtrack", plain, "--sound", Path(path).resolve()], check=True)
+        with wave.open(str(plain)) as file:
+            raw = file.readframes(file.getnframes())
+    return np.frombuffer(raw, "<i2").reshape(-1, 2).T / 32767
 
 
 def tile(signal, span):

@@ -1,6 +1,7 @@
 //! Sounds from files: Ogg Vorbis, 48 000 samples a second, one channel or two.
 
 use crate::cli::files::{self, FileError};
+use crate::sound::{Layer, Loop, Piece};
 use kira::Frame;
 use std::io::Cursor;
 use std::path::{Path, PathBuf};
@@ -217,4 +218,19 @@ pub fn decode_loop(path: &Path) -> Result<Vec<Frame>, FileError> {
     frames.clear();
     while reader.read(&mut frames)? {}
     Ok(frames)
+}
+
+/// All of a file as the game plays it: as a loop if it has the name of one or of a layer of music, else as a sound that is
+/// heard once.
+///
+/// # Errors
+/// As [`Reader::open`] and [`Reader::read`].
+pub fn decode_as_played(path: &Path) -> Result<Vec<Frame>, FileError> {
+    let is_named = |name: &str| path.file_name().is_some_and(|file| file == name);
+    let is_layer = |piece: Piece| Layer::ALL.iter().any(|&l| is_named(&piece.file(l)));
+    let is_loop = Loop::ALL.iter().any(|which| is_named(which.file()));
+    match is_loop || Piece::ALL.iter().copied().any(is_layer) {
+        true => decode_loop(path),
+        false => decode(path),
+    }
 }

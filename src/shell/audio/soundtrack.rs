@@ -1,7 +1,8 @@
-//! What a replay sounds like, as a file: the same mixer, without a window or a device, as fast as it goes.
+//! What a replay sounds like, as a file: the same mixer, without a window or a device, as fast as it goes. And a single
+//! sound, as the game decodes it.
 
 use super::bank::Bank;
-use super::decode::RATE;
+use super::decode::{RATE, decode_as_played};
 use super::device::Tape;
 use super::mixer::{Mixer, samples};
 use super::stems::Feeder;
@@ -31,6 +32,17 @@ pub fn write(replay: &Path, file: &Path) -> Result<(), ShellError> {
     files::check_writable(file)?;
     let run = load::replay(replay)?;
     let samples = render(replay, &run, Volumes::default())?;
+    Ok(files::write_atomic(file, &wav(&samples))?)
+}
+
+/// Decodes one file of sound or music and writes it as WAV.
+///
+/// # Errors
+/// The sound is missing or broken, or the file cannot be written.
+pub fn write_sound(sound: &Path, file: &Path) -> Result<(), ShellError> {
+    files::check_writable(file)?;
+    let frames = decode_as_played(sound)?;
+    let samples: Vec<f32> = frames.iter().flat_map(|f| [f.left, f.right]).collect();
     Ok(files::write_atomic(file, &wav(&samples))?)
 }
 
