@@ -178,6 +178,7 @@ fn door() -> Mover {
         path: vec![stop(0.0, 1.0), stop(4.0, 0.0)],
         repeat: Repeat::Once,
         starts: Starts::On("button".into()),
+        ..Mover::default()
     }
 }
 
@@ -241,6 +242,7 @@ fn a_crusher_kills_when_it_has_closed() {
             path: vec![stop(0.0, 2.0), stop(-4.0, 2.0)],
             repeat: Repeat::Loop,
             starts: Starts::AtOnce,
+            ..Mover::default()
         };
         let mut world = world(&[], &[crusher], rate);
         world.put(DVec2::new(21.0, 0.0)).unwrap();
@@ -333,6 +335,7 @@ fn a_dip_below_the_bottom_between_two_ticks_counts() {
         path: vec![stop(0.0, 0.98), stop(-0.125, 0.0)],
         repeat: Repeat::Loop,
         starts: Starts::AtOnce,
+        ..Mover::default()
     };
     // So heavy that he stays on it. At 15 Hz he is above the bottom at the ticks before and after.
     let mut heavy = Tuning::default();
@@ -418,6 +421,7 @@ fn a_lift_that_its_rider_starts_takes_him_along_from_that_time() {
         path: vec![stop(0.0, 1.0), stop(4.0, 0.0)],
         repeat: Repeat::Once,
         starts: Starts::On("button".into()),
+        ..Mover::default()
     };
     let mut seen = Vec::new();
     for rate in RATES {

@@ -119,6 +119,6 @@ pub struct View {
     pub secrets: u32,
     /// Simulated time at which he found the last of them.
     pub secret_at: Option<f64>,
-    /// Where the checkpoint that he entered last puts his foot, in metres; without one he starts anew.
+    /// Where the checkpoint that he entered last puts his foot, in metres, as it was drawn; without one he starts anew.
     pub checkpoint: Option<DVec2>,
 }

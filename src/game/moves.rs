@@ -84,7 +84,9 @@ impl Sights {
             let grow = |(min, max): (DVec2, DVec2), p: &DVec2| (min.min(*p), max.max(*p));
             outline.iter().fold(start, grow)
         };
-        let features = stage.features().filter(|(_, f)| worth(f.kind));
+        let still = |id| stage.mover_of(id).is_none();
+        let features = stage.features();
+        let features = features.filter(|&(id, f)| worth(f.kind) && still(id));
         Sights {
             boxes: features.map(|(_, f)| bounds(&f.outline)).collect(),
         }

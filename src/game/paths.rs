@@ -1,12 +1,100 @@
-//! Paths of movers, from the stops of a level to the pieces of the motion.
+//! Paths of movers, from the stops of a level to the pieces of the motion, and what sets them going.
 
 use crate::geom::Point;
-use crate::level::{Easing, Mover, Repeat, Stop};
+use crate::level::{Easing, End, Level, Mover, Repeat, Starts, Stop};
+use crate::mesh::FeatureId;
 use crate::motion::{Path, Piece};
 use glam::DVec2;
 
+/// Where a mover goes, and what makes it.
+#[derive(Clone, Debug)]
+pub(super) struct Route {
+    /// From its first stop on.
+    pub out: Path,
+    /// From its last stop to the first, the way that it came; empty if nothing ever sends it there.
+    pub home: Path,
+    /// What sets it going.
+    pub cause: Cause,
+    /// The triggers that call it, and where to.
+    pub calls: Vec<(FeatureId, End)>,
+    /// For how long it stays at its last stop after nobody rides it any more, s.
+    pub back: Option<f64>,
+}
+
+/// What sets a mover going.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Cause {
+    /// The beginning of the level.
+    Level,
+    /// Somebody who enters a trigger.
+    Trigger(FeatureId),
+    /// Somebody who comes to ride it.
+    Rider,
+}
+
+impl Route {
+    /// That of a mover of a level, whose features have numbers in the order in which they are listed.
+    pub fn of(mover: &Mover, level: &Level) -> Route {
+        let riders = || level.movers.iter().flat_map(|mover| &mover.features);
+        let trigger = |id: &str| {
+            let mut all = level.features.iter().chain(riders());
+            let found = all.position(|feature| feature.id == id);
+            found.map(|index| index as FeatureId)
+        };
+        let cause = match &mover.starts {
+            Starts::AtOnce => Cause::Level,
+            Starts::On(id) => trigger(id).map_or(Cause::Level, Cause::Trigger),
+            Starts::Ridden => Cause::Rider,
+        };
+        let calls = mover.calls.iter();
+        let calls = calls.filter_map(|call| Some((trigger(&call.by)?, call.to)));
+        let comes_back = mover.back.is_some() || !mover.calls.is_empty();
+        Route {
+            out: path(mover),
+            home: if comes_back {
+                home(mover)
+            } else {
+                Path::default()
+            },
+            cause,
+            calls: calls.collect(),
+            back: mover.back,
+        }
+    }
+
+    /// Whether it turns round by itself.
+    pub fn turns(&self) -> bool {
+        !self.home.pieces.is_empty()
+    }
+
+    /// Whether it matters who rides it.
+    pub fn minds_riders(&self) -> bool {
+        self.cause == Cause::Rider || self.back.is_some()
+    }
+}
+
+/// How long a path takes that is gone once, s.
+pub(super) fn seconds(path: &Path) -> f64 {
+    path.pieces.last().map_or(0.0, |piece| piece.t0)
+}
+
+/// The path from the last stop back to the first, which it leaves and reaches without a wait.
+fn home(mover: &Mover) -> Path {
+    let mut line = Line::default();
+    for (i, pair) in mover.path.windows(2).rev().enumerate() {
+        if i > 0 {
+            line.rest(&pair[1]);
+        }
+        line.go(&pair[1], &pair[0], &pair[0]);
+    }
+    if let Some(first) = mover.path.first() {
+        line.stay(first);
+    }
+    line.path
+}
+
 /// The path of a mover. At every stop its offset is a point of the grid, exactly.
-pub(super) fn path(mover: &Mover) -> Path {
+fn path(mover: &Mover) -> Path {
     let stops = &mover.path;
     let mut line = Line::default();
     let ways = stops.windows(2);
@@ -96,7 +184,6 @@ fn offset(stop: &Stop) -> DVec2 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::level::Starts;
 
     fn mover(repeat: Repeat) -> Mover {
         let stop = |x: f64, wait: f64, seconds: f64, easing| Stop {
@@ -116,6 +203,7 @@ mod tests {
             ],
             repeat,
             starts: Starts::AtOnce,
+            ..Mover::default()
         }
     }
 

@@ -11,7 +11,7 @@ use crate::anim::Leap;
 use crate::level::Kind;
 use crate::mesh::FeatureId;
 use crate::motion::{Body, Event, EventKind, Grip, Trace};
-use std::sync::Arc;
+use glam::DVec2;
 
 /// How often a tick may be cut. Only a hero who dies as soon as he comes back needs more; he dies again in the next.
 const CUTS: usize = 16;
@@ -23,6 +23,8 @@ enum Turn {
     Death,
     /// Somebody has entered a trigger that movers wait for.
     Start(FeatureId),
+    /// Somebody rides a mover to which that matters, or does so no longer.
+    Ride,
 }
 
 impl World {
@@ -31,9 +33,15 @@ impl World {
         for _ in 0..CUTS {
             let (actors, traces) = (self.state.actors.clone(), self.traces.clone());
             let seen: Vec<usize> = traces.iter().map(|trace| trace.events.len()).collect();
-            self.advance(to);
+            let due = self.due().filter(|&due| due <= to);
+            self.advance(due.unwrap_or(to));
             let Some((at, _)) = self.first_turn(&seen) else {
-                return self.note_places(seen[HERO]);
+                self.note_places(seen[HERO]);
+                match due {
+                    Some(at) => self.turn_movers(at),
+                    None => return,
+                }
+                continue;
             };
             (self.state.actors, self.traces) = (actors, traces);
             self.advance(at);
@@ -65,6 +73,7 @@ impl World {
             EventKind::Crushed if body == HERO => Some(Turn::Death),
             EventKind::Entered(id) if body == HERO && self.stage.kills(id) => Some(Turn::Death),
             EventKind::Entered(id) if self.waits_for(id) => Some(Turn::Start(id)),
+            EventKind::Mounted(_) | EventKind::Dismounted(_) => Some(Turn::Ride),
             _ => None,
         }
     }
@@ -80,14 +89,6 @@ impl World {
         turns.into_iter().min_by(|a, b| a.0.total_cmp(&b.0))
     }
 
-    /// Whether some mover waits for a trigger.
-    fn waits_for(&self, trigger: FeatureId) -> bool {
-        let waits = |(i, going): (usize, &Going)| {
-            going.start.is_none() && self.stage.trigger(i) == Some(trigger)
-        };
-        self.state.going.iter().enumerate().any(waits)
-    }
-
     /// All that is due at a time, which is now.
     fn take_turns(&mut self, at: f64, seen: &[usize]) {
         let turns = self.turns(seen);
@@ -99,24 +100,7 @@ impl World {
         if turns.iter().any(|(_, turn)| *turn == Turn::Death) {
             self.die(at);
         }
-    }
-
-    /// Sets going what waits for a trigger, for all bodies.
-    fn start_movers(&mut self, trigger: FeatureId, at: f64) {
-        for (i, going) in self.state.going.iter_mut().enumerate() {
-            if going.start.is_none() && self.stage.trigger(i) == Some(trigger) {
-                going.start = Some(at);
-            }
-        }
-        self.look_again();
-    }
-
-    /// Brings the starts of the movers to all shapes and bodies.
-    fn look_again(&mut self) {
-        for land in Arc::make_mut(&mut self.lands) {
-            Going::bring(&self.state.going, land);
-        }
-        self.each(|body, terrain, trace| body.take_up_paths(terrain, trace));
+        self.note_riders(at);
     }
 
     /// Checkpoints, secrets and goals that the hero has entered, in the events after those that were seen.
@@ -158,27 +142,29 @@ impl World {
     /// trigger waits again.
     pub(super) fn restart(&mut self) {
         self.state.forget_run(self.time());
-        for (i, going) in self.state.going.iter_mut().enumerate() {
-            if self.stage.trigger(i).is_some() {
-                *going = Going::default();
-            }
-        }
-        self.look_again();
+        let first = Going::at_first(&self.stage);
+        self.set_going(first);
         self.come_back(self.time());
     }
 
     /// Puts the hero at the last checkpoint, or if that is not free at the start. If an edit has closed that too, he stays.
     /// What is held goes on to count, from this very time.
     pub(super) fn come_back(&mut self, at: f64) {
-        let checkpoint = self.state.checkpoint.and_then(|id| self.stage.feature(id));
+        let checkpoint = self.state.checkpoint;
         let places = [
-            checkpoint.and_then(|feature| feature.respawn),
-            Some(self.stage.level.start),
+            checkpoint.and_then(|id| self.place_of_return(id, at)),
+            Some((self.stage.level.start, DVec2::ZERO)),
         ];
         let terrain = self.lands[HERO].terrain(&self.stage, &self.state.tuning);
-        let spawn = |place| Body::spawn(place, at, &terrain).ok();
+        let spawn = |(place, velocity)| {
+            let body = Body::spawn(place, at, &terrain).ok()?;
+            Some((body, velocity))
+        };
         let held = self.state.actors[HERO].body.control();
-        if let Some(mut body) = places.into_iter().flatten().find_map(spawn) {
+        if let Some((mut body, velocity)) = places.into_iter().flatten().find_map(spawn) {
+            if velocity != DVec2::ZERO {
+                body.set_velocity(velocity, &terrain, &mut self.traces[HERO]);
+            }
             body.keep_control(held, &terrain, &mut self.traces[HERO]);
             self.state.actors[HERO].body = body;
         }

@@ -102,7 +102,7 @@ impl State {
             let mut land = stage
                 .land(shape)
                 .expect("every shape has its meshes, and edits keep them within the world");
-            Going::bring(&self.going, &mut land);
+            Going::bring(&self.going, stage, &mut land);
             land
         };
         self.shapes.iter().map(land).collect()
@@ -152,7 +152,7 @@ impl State {
             hash.update(&id.to_le_bytes());
         }
         for going in &self.going {
-            hash.update(&time(going.start).to_le_bytes());
+            going.hash_into(hash);
         }
     }
 }

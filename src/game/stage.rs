@@ -1,11 +1,11 @@
 //! A level made ready to play: its meshes are built and its start is free.
 
 use super::meshes::{Kept, Meshes, Numbered, Plan, Shape};
-use super::paths::path;
+use super::paths::{Cause, Route};
 use crate::geom::{BOUND, Collider, Point, STEP};
-use crate::level::{self, By, Concave, Feature, Flaw, Kind, Level, Starts};
+use crate::level::{self, By, Concave, Feature, Flaw, Kind, Level};
 use crate::mesh::{FeatureId, MeshError};
-use crate::motion::{self, Body, Mover, Path, Region, SpawnError, Terrain, Traits};
+use crate::motion::{self, Body, Mover, Region, SpawnError, Terrain, Traits};
 use crate::tune::Motion;
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
@@ -24,8 +24,11 @@ pub struct Stage {
     /// The number of the pit.
     pit: FeatureId,
     traits: Vec<Traits>,
-    /// Of each mover: where it goes, and the number of the trigger that it waits for.
-    paths: Vec<(Path, Option<FeatureId>)>,
+    /// Of each mover.
+    routes: Vec<Route>,
+    /// Some mover turns round by itself; to some it matters who rides them.
+    turns: bool,
+    minds_riders: bool,
     plan: Plan,
     kept: Kept,
     edits: Vec<Edit>,
@@ -39,7 +42,7 @@ pub struct Land {
     pub stand: Meshes,
     /// For the crouching one.
     pub crouch: Meshes,
-    /// In the order of the level; those that wait for a trigger have not started.
+    /// In the order of the level; those that wait for something have not started.
     pub movers: Vec<Mover>,
 }
 
@@ -134,11 +137,20 @@ impl Stage {
             // After the rest, so that what the mesh takes for the usual size of things is that of the level.
             changes: vec![(None, Some((pit, below.clone())))],
         };
+        let routes: Vec<Route> = level.movers.iter().map(|m| Route::of(m, &level)).collect();
+        let mut traits: Vec<Traits> = features.iter().chain([&below]).map(traits).collect();
+        for (route, own) in routes.iter().zip(&plan.movers) {
+            for (id, _) in own {
+                traits[*id as usize].minds_riders = route.minds_riders();
+            }
+        }
         let stage = Stage {
-            traits: features.iter().chain([&below]).map(traits).collect(),
+            traits,
             features: features.into_iter().map(Some).chain([None]).collect(),
             pit,
-            paths: level.movers.iter().map(|m| way(m, &level)).collect(),
+            turns: routes.iter().any(Route::turns),
+            minds_riders: routes.iter().any(Route::minds_riders),
+            routes,
             plan,
             kept: Kept::default(),
             edits: Vec::new(),
@@ -172,13 +184,13 @@ impl Stage {
     /// If an outline leaves the world when expanded.
     pub fn land(&self, shape: &Shape) -> Result<Land, MeshError> {
         let (stand, crouch) = (self.meshes(&shape.stand)?, self.meshes(&shape.crouch)?);
-        let mover = |(i, (path, trigger)): (usize, &(Path, Option<FeatureId>))| Mover {
+        let mover = |(i, route): (usize, &Route)| Mover {
             stand: stand.movers[i].clone(),
             crouch: crouch.movers[i].clone(),
-            path: path.clone(),
-            start: trigger.is_none().then_some(0.0),
+            path: route.out.clone(),
+            start: (route.cause == Cause::Level).then_some(0.0),
         };
-        let movers = self.paths.iter().enumerate().map(mover).collect();
+        let movers = self.routes.iter().enumerate().map(mover).collect();
         Ok(Land {
             stand,
             crouch,
@@ -219,9 +231,41 @@ impl Stage {
         self.pit
     }
 
+    /// The mover that a feature belongs to.
+    pub fn mover_of(&self, id: FeatureId) -> Option<usize> {
+        let mut movers = self.plan.movers.iter();
+        movers.position(|own| own.iter().any(|&(rider, _)| rider == id))
+    }
+
     /// The trigger that a mover waits for.
     pub fn trigger(&self, mover: usize) -> Option<FeatureId> {
-        self.paths.get(mover)?.1
+        match self.routes.get(mover)?.cause {
+            Cause::Trigger(id) => Some(id),
+            Cause::Level | Cause::Rider => None,
+        }
+    }
+
+    /// The triggers that movers wait for, or that call them.
+    pub fn triggers(&self) -> impl Iterator<Item = FeatureId> + '_ {
+        let movers = 0..self.routes.len();
+        let awaited = movers.filter_map(|mover| self.trigger(mover));
+        let calls = self.routes.iter().flat_map(|route| &route.calls);
+        awaited.chain(calls.map(|&(id, _)| id))
+    }
+
+    /// Where each mover goes, and what makes it.
+    pub(super) fn routes(&self) -> &[Route] {
+        &self.routes
+    }
+
+    /// Whether some mover turns round by itself.
+    pub(super) fn turns(&self) -> bool {
+        self.turns
+    }
+
+    /// Whether it matters to some mover who rides it.
+    pub(super) fn minds_riders(&self) -> bool {
+        self.minds_riders
     }
 
     /// Changes the level. Meshes are edited in place, unless somebody else holds them.
@@ -230,9 +274,10 @@ impl Stage {
     /// If the id is taken or unknown, or the feature breaks a rule; nothing has changed then.
     pub fn edit(&mut self, edit: Edit) -> Result<(), EditError> {
         let still = |id: &str| {
-            let moves = |n: FeatureId| self.plan.movers.iter().flatten().any(|rider| rider.0 == n);
             let found = self.features().find(|(_, f)| f.id == id);
-            found.map(|(n, _)| n).filter(|&n| !moves(n))
+            found
+                .map(|(n, _)| n)
+                .filter(|&n| self.mover_of(n).is_none())
         };
         let known = |id: &str| still(id).ok_or_else(|| EditError::Unknown(id.into()));
         let (gone, feature) = match &edit {
@@ -336,15 +381,6 @@ fn check_corners(feature: &Feature) -> Result<(), StageError> {
     }
 }
 
-/// Where a mover goes, and the trigger that it waits for.
-fn way(mover: &level::Mover, level: &Level) -> (Path, Option<FeatureId>) {
-    let trigger = match &mover.starts {
-        Starts::AtOnce => None,
-        Starts::On(id) => level.features.iter().position(|f| f.id == *id),
-    };
-    (path(mover), trigger.map(|index| index as FeatureId))
-}
-
 /// What a feature is to the motion.
 fn traits(feature: &Feature) -> Traits {
     Traits {
@@ -362,5 +398,6 @@ fn traits(feature: &Feature) -> Traits {
             Concave::Keep => motion::Concave::Keep,
             Concave::Project => motion::Concave::Project,
         }),
+        minds_riders: false,
     }
 }

@@ -93,6 +93,7 @@ impl World {
         self.state.retry = input.retry;
         self.state.actors[HERO].control = input.control();
         self.each_actor(|actor, terrain, trace| actor.body.apply(actor.control, terrain, trace));
+        self.note_riders(self.time());
         self.state.tick += 1;
         self.run(self.time());
         self.note_events(input);
@@ -124,7 +125,7 @@ impl World {
             Some(index) => index,
             None => {
                 let mut land = self.stage.land(shape).map_err(AddError::Mesh)?;
-                Going::bring(&self.state.going, &mut land);
+                Going::bring(&self.state.going, &self.stage, &mut land);
                 Arc::make_mut(&mut self.lands).push(land);
                 self.state.shapes.push(shape.clone());
                 self.lands.len() - 1
@@ -269,8 +270,8 @@ impl World {
     /// The feature that the hero is on: the ladder that he climbs, or the ground or wall in contact.
     pub fn underfoot(&self) -> Option<&Feature> {
         if self.hero().climbing() {
-            let covers = self.mesh().cover(self.hero().face(self.mesh())).iter();
-            let mut features = covers.filter_map(|&id| self.stage.feature(id));
+            let regions = self.hero().regions().iter();
+            let mut features = regions.filter_map(|&id| self.stage.feature(id));
             return features.find(|feature| feature.kind == Kind::Ladder);
         }
         let segment = self.hero().segment()?;

@@ -103,6 +103,26 @@ fn check_starts(level: &Level) -> Result<(), Flaw> {
             })?;
         }
     }
+    for (index, mover) in level.movers.iter().enumerate() {
+        check_rides(level, index, mover)?;
+    }
+    Ok(())
+}
+
+/// Where the hero comes back on a mover: free when that begins its way, and above the bottom all the time.
+fn check_rides(level: &Level, index: usize, mover: &Mover) -> Result<(), Flaw> {
+    for (number, feature) in mover.features.iter().enumerate() {
+        let Some(respawn) = feature.respawn else {
+            continue;
+        };
+        let entity = Entity::Rider(index as u32, number as u32, feature.id.clone());
+        check_free(level, respawn + mover.parked(), &entity, "respawn")?;
+        let stops = mover.path.iter();
+        let above = stops
+            .clone()
+            .all(|stop| respawn.y + stop.at.y > level.bottom);
+        require(above, &entity, "respawn", || BELOW.into())?;
+    }
     Ok(())
 }
 
@@ -127,12 +147,11 @@ fn check_free(level: &Level, at: DVec2, entity: &Entity, field: &str) -> Result<
         };
         inside(feature, offset).then(|| format!("the hero {what} feature {:?}", feature.id))
     };
-    let parked = |mover: &Mover| mover.path.first().map_or(DVec2::ZERO, |stop| stop.at);
     let fixed = level.features.iter().map(|feature| (feature, DVec2::ZERO));
     let moving = level
         .movers
         .iter()
-        .flat_map(|mover| mover.features.iter().map(move |f| (f, parked(mover))));
+        .flat_map(|mover| mover.features.iter().map(move |f| (f, mover.parked())));
     match fixed
         .chain(moving)
         .find_map(|(feature, offset)| ends(feature, offset))

@@ -54,7 +54,7 @@ pub enum Kind {
     Checkpoint,
     /// Ends the level, as its goal box does.
     Goal,
-    /// Starts movers.
+    /// Starts movers, and calls them.
     Trigger,
     /// A hidden place: whoever finds it is told so, once.
     Secret,

@@ -36,7 +36,8 @@ parts! {
     AreaParts is "Area" { name, room, mood }
     FrameParts is "Frame" { room, at, zoom }
     FeatureParts is "Feature" { id, kind, outline, climbable, conveyor, friction, concave, by, respawn }
-    MoverParts is "Mover" { id, features, path, repeat, starts }
+    MoverParts is "Mover" { id, features, path, repeat, starts, back, calls }
+    CallParts is "Call" { by, to }
     StopParts is "Stop" { at, wait, seconds, easing }
 }
 
@@ -82,13 +83,14 @@ fn feature_field<'a>(feature: &'a RawValue, flaw: &Flaw) -> Raw<'a> {
         .or(Some(feature))
 }
 
-/// A field of a mover, or one of a stop of its path.
+/// A field of a mover, or one of a stop of its path or of a call.
 fn mover_field<'a>(mover: &'a RawValue, field: &str) -> Raw<'a> {
     let found = element(field, |name| MoverParts::find(mover, name));
     let inner = field.split_once('.').map(|(_, rest)| rest);
-    let stop = found
-        .zip(inner)
-        .and_then(|(stop, rest)| element(rest, |name| StopParts::find(stop, name)));
+    let stop = found.zip(inner).and_then(|(part, rest)| {
+        let stop = element(rest, |name| StopParts::find(part, name));
+        stop.or_else(|| element(rest, |name| CallParts::find(part, name)))
+    });
     stop.or(found).or(Some(mover))
 }
 

@@ -18,7 +18,7 @@ pub use check::{COORDINATE_LIMIT, CORNER_LIMIT, check, check_feature};
 pub use error::{Entity, Flaw, LevelError};
 pub use feature::{By, Concave, Feature, Kind, Material};
 pub use file::{check_writable, load, parse, read, save, without_mark, write_atomically};
-pub use mover::{Easing, Mover, Repeat, Starts, Stop, is_upright};
+pub use mover::{Call, Easing, End, Mover, Repeat, Starts, Stop, is_upright};
 pub use place::{Area, Frame, Mood};
 pub use scenery::{Scenery, SceneryKind};
 
@@ -50,7 +50,7 @@ pub struct Level {
     pub frames: Vec<Frame>,
     /// The terrain, and the regions that do something to the hero.
     pub features: Vec<Feature>,
-    /// Terrain that moves.
+    /// Features that move.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub movers: Vec<Mover>,
     /// Things that are seen and not touched.

@@ -1,12 +1,12 @@
-//! Terrain that moves: platforms, lifts, doors, crushers.
+//! What moves: platforms, lifts, doors, crushers, and the regions that ride on them or move by themselves.
 
 use super::feature::is_default;
 use super::{Feature, Material};
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
-/// Solids and one-way platforms that move together along a path.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+/// Features that move together along a path.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Mover {
     /// Unique name.
@@ -21,6 +21,32 @@ pub struct Mover {
     /// What sets it going.
     #[serde(default, skip_serializing_if = "is_default")]
     pub starts: Starts,
+    /// For how long it stays at its last stop after nobody rides it any more, in seconds; then it goes back the way that it came.
+    /// Paths that are gone once only.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub back: Option<f64>,
+    /// What calls it to an end of its path. Paths that are gone once only.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub calls: Vec<Call>,
+}
+
+/// A trigger that calls a mover to an end of its path.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Call {
+    /// The id of the trigger.
+    pub by: String,
+    /// Where to.
+    pub to: End,
+}
+
+/// An end of a path.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+pub enum End {
+    /// Its first stop.
+    First,
+    /// Its last stop.
+    Last,
 }
 
 /// How much more up than sideways a way must go to count as upright.
@@ -32,6 +58,11 @@ pub fn is_upright(way: DVec2) -> bool {
 }
 
 impl Mover {
+    /// How far from where it was drawn it begins, m.
+    pub fn parked(&self) -> DVec2 {
+        self.path.first().map_or(DVec2::ZERO, |stop| stop.at)
+    }
+
     /// The offsets between which it goes, in order; the way back to the beginning included.
     pub fn legs(&self) -> impl Iterator<Item = (DVec2, DVec2)> + '_ {
         let stops = || self.path.iter().map(|stop| stop.at);
@@ -97,4 +128,6 @@ pub enum Starts {
     AtOnce,
     /// A body that enters the trigger with this id.
     On(String),
+    /// A body that comes to stand on it, or takes hold of it.
+    Ridden,
 }

@@ -8,7 +8,7 @@
 
 use super::body::{Air, Body, Crushed, EventKind, Mode, Next, Size, SpawnError, Trace};
 use super::contact::Contact;
-use super::mover::{Piece, Ride};
+use super::mover::{Mover, Piece, Ride};
 use super::size::{clear_in_flight, free_face, free_face_at};
 use super::terrain::{Ground, Terrain};
 use super::vertex::{Bearing, JOINT_STEPS, Sector, sector};
@@ -63,8 +63,8 @@ impl Beside {
 
     /// The mesh of the frame, as the body meets it.
     pub(super) fn ground<'a>(&self, size: Size, terrain: &Terrain<'a>) -> Ground<'a> {
-        let climbs = self.climbing && self.frame.is_some();
-        terrain.ground_under(self.mover(), size).climbed(climbs)
+        let mesh = terrain.ground_under(self.mover(), size);
+        mesh.climbed(self.climbing).with_ladder(false)
     }
 
     /// Takes up whether the body climbs.
@@ -247,6 +247,7 @@ impl Body {
     pub(super) fn find_places(&mut self, terrain: &Terrain) -> Result<(), SpawnError> {
         let (p, v) = (self.position(), self.velocity());
         self.beside.clear();
+        self.regions_move = terrain.movers.iter().any(Mover::has_regions);
         for mover in 0..terrain.movers.len() as u32 {
             let ride = Ride::at(mover, self.time, terrain.movers);
             let at = p - ride.piece.offset(self.time);
@@ -265,7 +266,9 @@ impl Body {
         // At rest there is none, and yet a difference of two: accelerations are rounded too.
         let grain = grain.max(f64::MIN_POSITIVE);
         for beside in &mut self.beside {
-            beside.climb(self.climbing, size, terrain);
+            // One-ways of the level hold who climbs there, and only slides along something that moves.
+            let climbs = self.climbing && (beside.frame.is_some() || self.ladder.is_some());
+            beside.climb(climbs, size, terrain);
             beside.follow(motion, grain, now, size, terrain);
         }
     }
@@ -325,7 +328,10 @@ impl Body {
             Some((_, Next::Node)) => {
                 trace.touched += 1;
                 if self.take_up_node(i, terrain, trace) {
-                    return self.schedule(terrain);
+                    return match self.regions_move {
+                        true => self.come_to_place(terrain, trace),
+                        false => self.schedule(terrain),
+                    };
                 }
             }
             _ => {}
@@ -345,18 +351,34 @@ impl Body {
         (beside.contact, beside.of) = (None, None);
     }
 
-    /// A body in the air is written in the frame of the level.
+    /// The frame of a body in the air: that of the ladder that it climbs, else the level.
+    fn home(&self) -> Option<u32> {
+        self.ladder.filter(|_| self.climbing)
+    }
+
+    /// Whether a body in the air is written in the frame that is its own.
+    pub(super) fn is_at_home(&self) -> bool {
+        self.carrier() == self.home() || !matches!(self.mode, Mode::Air(_))
+    }
+
+    /// A body in the air is written in the frame that is its own.
     pub(super) fn go_home(&mut self, terrain: &Terrain) {
-        if self.frame.is_none() || !matches!(self.mode, Mode::Air(_)) {
+        if self.is_at_home() {
             return;
         }
-        let (t, p) = (self.time, self.position());
+        let (t, home) = (self.time, self.piece_of(self.home()));
+        let (p, v) = (
+            self.position() - home.offset(t),
+            self.velocity() - home.velocity(t),
+        );
         // A velocity that only rounding tells from rest is rest.
-        let grain = self.frame_piece().rounding(t) + ROUNDING * self.local_velocity().length();
+        let frames = self.frame_piece().rounding(t) + home.rounding(t);
+        let grain = frames + ROUNDING * self.local_velocity().length();
         let still = |c: f64| if c.abs() <= grain { 0.0 } else { c };
-        let v = DVec2::new(still(self.velocity().x), still(self.velocity().y));
-        let home = self.beside.iter().position(|b| b.frame.is_none());
-        self.change_frame(home.expect("a rider has a place in the level"));
+        let v = DVec2::new(still(v.x), still(v.y));
+        let mut places = self.beside.iter();
+        let home = places.position(|b| b.mover() == self.home());
+        self.change_frame(home.expect("a body has a place in every frame"));
         let level = self.ground(terrain);
         if let Mode::Air(air) = &mut self.mode {
             let face = moved(level, air.face, air.position(t), p);

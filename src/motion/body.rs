@@ -167,7 +167,8 @@ impl Next {
 pub struct Body {
     /// In the frame of what carries the body.
     pub(super) mode: Mode,
-    /// What carries the body; `None`: the level. In the air, between events, always the level.
+    /// What carries the body; `None`: the level. In the air, between events, always the level, but for who climbs a ladder of a
+    /// moving solid: that.
     #[serde(default)]
     pub(super) frame: Option<Ride>,
     /// Its places in all other frames.
@@ -192,14 +193,23 @@ pub struct Body {
     /// The regions that it is in, ascending.
     #[serde(default)]
     pub(super) regions: Vec<FeatureId>,
+    /// Regions move too: those of all frames count.
+    #[serde(default)]
+    pub(super) regions_move: bool,
     /// It holds on to a ladder.
     #[serde(default)]
     pub(super) climbing: bool,
+    /// Of which moving solid the ladder is, while it holds on to one; `None`: of the level.
+    #[serde(default)]
+    pub(super) ladder: Option<u32>,
     /// Whether up or down, if held, takes hold of one.
     #[serde(default)]
     pub(super) reach: Reach,
     /// In the rise of a jump whose key is still held.
     pub(super) rising: bool,
+    /// The moving solid that it stands on or holds on to, if that minds it.
+    #[serde(default)]
+    pub(super) rides: Option<u32>,
     /// The next event and its time; `None` if nothing will ever happen by itself.
     pub(super) next: Option<(f64, Next)>,
 }
@@ -356,11 +366,26 @@ impl Body {
         self.frame.map(|ride| ride.mover)
     }
 
+    /// The moving solid that it stands on, holds on to or climbs on a ladder of, if that minds it
+    /// ([`Traits::minds_riders`](super::Traits::minds_riders)).
+    pub fn rides(&self) -> Option<u32> {
+        self.rides
+    }
+
     /// The mesh of what carries the body, as it meets it.
     pub(super) fn ground<'a>(&self, terrain: &Terrain<'a>) -> Ground<'a> {
         terrain
             .ground_under(self.carrier(), self.size)
             .climbed(self.climbing)
+            .with_ladder(self.ladder == self.carrier())
+    }
+
+    /// The mesh of the level, as the body meets it, whatever carries it.
+    pub(super) fn level_ground<'a>(&self, terrain: &Terrain<'a>) -> Ground<'a> {
+        terrain
+            .ground(self.size)
+            .climbed(self.climbing)
+            .with_ladder(self.ladder.is_none())
     }
 
     /// When the next event is due, if there will be one.
@@ -456,6 +481,9 @@ impl Body {
         hash.update(&flags);
         if let Some(ride) = self.frame {
             hash.update(&ride.mover.to_le_bytes());
+        }
+        if let Some(mover) = self.ladder.filter(|_| self.climbing) {
+            hash.update(&mover.to_le_bytes());
         }
         let timer = |t: Option<f64>| t.unwrap_or(-1.0);
         let numbers = [

@@ -55,7 +55,7 @@ fn in_face(body: &Body, mesh: Ground) -> Result<(), String> {
     let Mode::Air(air) = body.mode() else {
         return Ok(());
     };
-    let p = body.position();
+    let p = body.local_position();
     // Time is rounded, and in the frame of a moving solid, where its place may have been decided, the body moves faster.
     let seen = body.beside.iter().map(|b| body.seen_from(b).1.length());
     let slack = body.rounding_at(seen.fold(body.velocity().length(), f64::max));
@@ -86,20 +86,20 @@ fn in_face(body: &Body, mesh: Ground) -> Result<(), String> {
     Ok(())
 }
 
-/// The regions that have been told are those around the face; who climbs is on a ladder, and no end of one is in his way that
+/// The regions that have been told are those around the face, in every frame; who climbs is on a ladder, and no end of one is in his way that
 /// is not under him.
 fn in_regions(body: &Body, terrain: &Terrain) -> Result<(), String> {
-    let level = terrain.mesh(body.size());
-    let face = body.level_face(level);
     let told = body.regions();
     let region = |f: &FeatureId| terrain.traits_of(*f).region;
-    let around = level.cover(face).iter().copied();
-    let around: Vec<_> = around.filter(|f| region(f) != Region::None).collect();
+    let around = body.regions_around(terrain);
     if around != told && !matches!(body.mode(), Mode::Crushed(_)) {
         return Err(format!("I1: in regions {around:?}, told of {told:?}"));
     }
     if body.climbing() && !told.iter().any(|f| region(f) == Region::Ladder) {
         return Err("I1: climbs outside of ladders".into());
+    }
+    if !body.is_at_home() {
+        return Err(format!("I1: in the air of {:?}", body.carrier()));
     }
     Ok(())
 }

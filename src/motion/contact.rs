@@ -411,7 +411,7 @@ impl Body {
             return self.crush(terrain, trace);
         }
         let accel = wish.min(high).max(low);
-        let drifts = self.climbing && self.frame_accel() != DVec2::ZERO;
+        let drifts = self.climbing && self.drift().accel != DVec2::ZERO;
         if let Mode::Surface(on) = &mut self.mode
             && accel != wish
         {

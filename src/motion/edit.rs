@@ -41,7 +41,7 @@ struct Seen {
 impl Body {
     /// What the body holds on to, before an edit of the level. To be taken with the meshes as they are before it.
     pub fn anchor(&self, terrain: &Terrain) -> Anchor {
-        let ground = terrain.ground(self.size).climbed(self.climbing);
+        let ground = self.level_ground(terrain);
         let face = self.level_face(&ground);
         let named = |s: SegmentId| *ground.segment(s);
         let (segment, touching) = self.in_contact();
@@ -72,7 +72,7 @@ impl Body {
 
     /// Takes its place in the meshes as they are after an edit of the level. An event only if its place is no more.
     pub fn rehome(&mut self, anchor: &Anchor, terrain: &Terrain, trace: &mut Trace) {
-        let ground = terrain.ground(self.size).climbed(self.climbing);
+        let ground = self.level_ground(terrain);
         self.meetings.clear();
         if self.is_untouched(anchor, ground) && !self.has_lost_ledge(terrain) {
             return self.come_to_place(terrain, trace);
@@ -126,6 +126,7 @@ impl Body {
             }
             _ => {
                 self.come_free(terrain);
+                self.climbing &= self.ladder.is_none();
                 self.go_home(terrain);
                 self.move_out(p, v, terrain, trace);
             }
@@ -162,7 +163,7 @@ impl Body {
     /// On a surface: further along the same feature edge if that is still there and free, else along another one on the same
     /// line, else in the air.
     fn stand_again(&mut self, anchor: &Anchor, terrain: &Terrain, trace: &mut Trace) {
-        let ground = terrain.ground(self.size).climbed(self.climbing);
+        let ground = self.level_ground(terrain);
         let Mode::Surface(on) = &mut self.mode else {
             return;
         };
@@ -199,7 +200,7 @@ impl Body {
 
     /// In flight: the same parabola, in a face of the new mesh.
     fn fly_on(&mut self, anchor: &Anchor, terrain: &Terrain, trace: &mut Trace) {
-        let ground = terrain.ground(self.size).climbed(self.climbing);
+        let ground = self.level_ground(terrain);
         let (p, v) = (self.position(), self.velocity());
         let now = self.time;
         let Mode::Air(air) = &mut self.mode else {
@@ -220,7 +221,7 @@ impl Body {
 
     /// What held the body is no more: in the air, where it is, as fast as it was.
     fn come_loose(&mut self, kind: EventKind, terrain: &Terrain, trace: &mut Trace) {
-        let ground = terrain.ground(self.size).climbed(self.climbing);
+        let ground = self.level_ground(terrain);
         let (p, v) = (self.position(), self.velocity());
         if kind == EventKind::Left {
             self.coyote_from = Some(self.time);
@@ -237,7 +238,7 @@ impl Body {
 
     /// Out of the solid that was put over the body, to the nearest point of its rim. A step or less is rounding, and no event.
     fn move_out(&mut self, p: DVec2, v: DVec2, terrain: &Terrain, trace: &mut Trace) {
-        let ground = terrain.ground(self.size).climbed(self.climbing);
+        let ground = self.level_ground(terrain);
         let Some((edge, at)) = nearest_rim(ground, p, v) else {
             return self.hold(terrain, trace);
         };

@@ -54,6 +54,10 @@ pub enum EventKind {
     LetGo,
     /// Came from one frame to another without leaving the ground: onto a moving solid, or onto the level (`None`).
     Boarded(Option<u32>),
+    /// Has come to stand on a moving solid, or holds on to it, that minds it.
+    Mounted(u32),
+    /// Is on it no longer.
+    Dismounted(u32),
     /// Is pushed by a moving solid from now on.
     Pushed(u32),
     /// Was crushed between a moving solid and something else.

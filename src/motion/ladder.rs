@@ -1,7 +1,7 @@
 //! Ladders: regions to climb in, up, down and sideways, without gravity.
 //!
 //! Who climbs is in the air, or on something too steep to stand on; his velocity is driven towards the wish. Solids stop
-//! him, one-ways do not. On ground that he comes to he stands. The top and the bottom of a ladder, its border edges of at most
+//! him, one-ways do not. A ladder that moves carries him: he climbs in its frame. On ground that he comes to he stands. The top and the bottom of a ladder, its border edges of at most
 //! 45 degrees, stop him as if the outside were solid ([`Ground`] says so to who climbs): he rests there exactly, for as
 //! long as he likes. Over the other edges he steps off and falls.
 //!
@@ -9,10 +9,12 @@
 //! the ladder, and what is held takes hold again only when it rises no more. Who lets go (down and jump) or steps off has to
 //! press anew, or to stand first; down, in any case, anew.
 
+use super::beside::Beside;
 use super::body::{Air, Body, EventKind, Mode, Next, Trace};
 use super::grip::Grip;
 use super::joint::{Joint, Onward};
 use super::law::Law;
+use super::mover::Piece;
 use super::terrain::{Ground, Region, Terrain};
 use super::track::{Track, delta};
 use super::vertex::{segment_at, spokes};
@@ -55,9 +57,64 @@ impl Body {
         self.climbing
     }
 
-    fn on_ladder(&self, terrain: &Terrain) -> bool {
+    /// Whether the body holds on to a ladder of a frame.
+    pub(super) fn climbs(&self, mover: Option<u32>) -> bool {
+        self.climbing && self.ladder == mover
+    }
+
+    /// Of which frame a ladder is that the body is in. Of several: that which it holds on to, that which carries it, the level, that
+    /// beside which it is slowest.
+    fn ladder_here(&self, terrain: &Terrain) -> Option<Option<u32>> {
         let is_ladder = |&f: &u32| terrain.traits_of(f).region == Region::Ladder;
-        self.regions.iter().any(is_ladder)
+        if !self.regions.iter().any(is_ladder) {
+            return None;
+        }
+        if !self.regions_move {
+            return Some(None);
+        }
+        let mine = self.ground(terrain);
+        let mine = mine.is_ladder(self.face(&mine)).then_some(self.carrier());
+        let others = self.beside.iter().filter(|b| {
+            let mesh = terrain.ground_under(b.mover(), self.size);
+            mesh.is_ladder(b.flight.face)
+        });
+        let found = mine.into_iter().chain(others.map(Beside::mover));
+        let speed = |mover| (self.velocity() - self.piece_of(mover).velocity(self.time)).length();
+        let rank = |mover: Option<u32>| {
+            let held = self.climbs(mover);
+            let rank = [held, mover == self.carrier(), mover.is_none()];
+            (rank.map(|first| !first), speed(mover))
+        };
+        found.min_by(|&a, &b| {
+            let (a, b) = (rank(a), rank(b));
+            a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
+        })
+    }
+
+    fn on_ladder(&self, terrain: &Terrain) -> bool {
+        self.ladder_here(terrain).is_some()
+    }
+
+    /// What carries the body, as the ladder sees it that the body holds on to: at rest if it is of the same frame.
+    pub(super) fn drift(&self) -> Piece {
+        self.drift_from(self.ladder)
+    }
+
+    fn drift_from(&self, ladder: Option<u32>) -> Piece {
+        match ladder {
+            _ if ladder == self.carrier() => Piece::default(),
+            None => self.frame_piece(),
+            Some(_) => self.frame_piece().seen_from(&self.piece_of(ladder)),
+        }
+    }
+
+    /// What rounding may make of the velocity of that, m/s.
+    fn drift_rounding(&self, t: f64) -> f64 {
+        match self.ladder {
+            _ if self.climbs(self.carrier()) => 0.0,
+            None => self.frame_piece().rounding(t),
+            Some(_) => self.frame_piece().rounding(t) + self.piece_of(self.ladder).rounding(t),
+        }
     }
 
     /// The wish of one who climbs, as a share of full speed.
@@ -69,7 +126,8 @@ impl Body {
 
     /// Whether the regions around the body make it take hold or lose its hold.
     pub(super) fn minds_ladder(&self, terrain: &Terrain) -> bool {
-        self.climbing && !self.on_ladder(terrain) || self.hold_wished(terrain).is_some()
+        self.climbing && self.ladder_here(terrain) != Some(self.ladder)
+            || self.hold_wished(terrain).is_some()
     }
 
     /// How the body would take hold now, if it would.
@@ -78,7 +136,9 @@ impl Body {
         if self.climbing || self.reach != Reach::Open || wish.y == 0.0 {
             return None;
         }
-        let inside = self.on_ladder(terrain);
+        let ladder = self.ladder_here(terrain);
+        let inside = ladder.is_some();
+        let ladder = ladder.flatten();
         match &self.mode {
             Mode::Air(_) => inside.then_some(Hold::Here),
             Mode::Surface(on) if !on.walkable => {
@@ -86,37 +146,43 @@ impl Body {
             }
             Mode::Surface(on) if wish.y > 0.0 => {
                 // Only if that leads off the ground: else he would land again at once.
-                let v = on.track.tangent * on.speed(self.time);
-                let accel = self.climb_accel(self.velocity(), terrain.tuning);
-                let away = self.climbs_away(on.track.normal, terrain.tuning);
-                (inside && away && self.stays_on_ladder(v, accel, terrain)).then_some(Hold::Off)
+                let away = self.climbs_away(on.track.normal, ladder, terrain.tuning);
+                (inside && away && self.stays_on_ladder(ladder, terrain)).then_some(Hold::Off)
             }
             Mode::Surface(on) => {
                 let mesh = self.ground(terrain);
                 let below = mesh.left(mesh.sym(on.edge))?;
-                let goes_on = self.frame.is_none() && mesh.is_one_way(on.edge);
-                (goes_on && mesh.is_ladder(below)).then_some(Hold::Below(below))
+                let goes_on = mesh.is_one_way(on.edge) && mesh.is_ladder(below);
+                goes_on.then_some(Hold::Below(below))
             }
             Mode::Wedge(_) => {
-                let away = wish.y > 0.0 && self.climbs_away(DVec2::Y, terrain.tuning);
+                let away = wish.y > 0.0 && self.climbs_away(DVec2::Y, ladder, terrain.tuning);
                 (inside && away).then_some(Hold::Off)
             }
             Mode::Crushed(_) => None,
         }
     }
 
-    /// Whether a climb that begins here is not over at once, because it leads over the side of the ladder.
-    fn stays_on_ladder(&self, v: DVec2, accel: DVec2, terrain: &Terrain) -> bool {
-        if self.frame.is_some() {
+    /// Whether a climb that begins here, on a ladder of a frame, is not over at once, because it leads over the side of it.
+    fn stays_on_ladder(&self, ladder: Option<u32>, terrain: &Terrain) -> bool {
+        if self.frame.is_some() && ladder.is_none() {
             return true;
         }
-        let mesh = self.ground(terrain).climbed(true);
-        let mut climb = Air {
-            v0: v,
-            accel,
-            touching: self.left_behind(terrain),
-            ..Air::resting(self.local_position(), self.face(&mesh))
+        let mesh = terrain.ground_under(ladder, self.size).climbed(true);
+        let (mut climb, v) = match self.beside.iter().find(|b| b.mover() == ladder) {
+            None => {
+                let at = Air::resting(self.local_position(), self.face(&mesh));
+                let touching = self.left_behind(terrain);
+                (Air { touching, ..at }, self.local_velocity())
+            }
+            Some(place) => {
+                let (at, v) = self.seen_from(place);
+                let touching = place.flight.touching;
+                let at = Air::resting(at, place.flight.face);
+                (Air { touching, ..at }, v)
+            }
         };
+        (climb.v0, climb.accel) = (v, self.climb_accel(v, terrain.tuning));
         while let Some((_, Next::Cross(e, since))) = climb.next(mesh)
             && since == 0.0
             && let Some(beyond) = mesh.left(mesh.sym(e))
@@ -129,10 +195,12 @@ impl Body {
         true
     }
 
-    /// Whether one who took hold here and now would be driven away from ground with this normal, however that moves.
-    fn climbs_away(&self, normal: DVec2, t: &Motion) -> bool {
-        let accel = self.climb_accel(self.velocity(), t);
-        normal.dot(accel - self.frame_accel()) > 0.0
+    /// Whether one who took hold of a ladder of a frame here and now would be driven away from ground with this normal, however
+    /// both move.
+    fn climbs_away(&self, normal: DVec2, ladder: Option<u32>, t: &Motion) -> bool {
+        let v = self.velocity() - self.piece_of(ladder).velocity(self.time);
+        let accel = self.climb_accel(v, t);
+        normal.dot(accel - self.drift_from(ladder).accel) > 0.0
     }
 
     /// Loses its hold outside of ladders, and takes hold where it wants to and can.
@@ -148,8 +216,8 @@ impl Body {
         if open {
             self.reach = Reach::Open;
         }
-        if self.climbing && !self.on_ladder(terrain) {
-            self.lose_hold(terrain, trace);
+        if self.climbing {
+            self.keep_hold(terrain, trace);
         }
         let Some(hold) = self.hold_wished(terrain) else {
             return;
@@ -158,6 +226,10 @@ impl Body {
         let mesh = self.ground(terrain);
         let (p, v) = (self.local_position(), self.local_velocity());
         let through = self.segment();
+        let ladder = match hold {
+            Hold::Below(_) => self.carrier(),
+            _ => self.ladder_here(terrain).flatten(),
+        };
         match hold {
             Hold::Here => {}
             Hold::Off => self.fly(p, v, self.face(&mesh), self.left_behind(terrain)),
@@ -167,9 +239,23 @@ impl Body {
             air.lock = None;
             air.through = through.filter(|_| matches!(hold, Hold::Below(_)));
         }
-        self.climbing = true;
+        (self.climbing, self.ladder) = (true, ladder);
         (self.rising, self.coyote_from, self.off_wall) = (false, None, None);
         self.log(EventKind::Climbed, trace);
+        self.go_home(terrain);
+    }
+
+    /// Who climbs where his ladder is not: on along one of another frame that he is in, else he has lost his hold.
+    fn keep_hold(&mut self, terrain: &Terrain, trace: &mut Trace) {
+        match self.ladder_here(terrain) {
+            None => self.lose_hold(terrain, trace),
+            Some(ladder) if ladder == self.ladder => {}
+            Some(ladder) => {
+                self.rebase();
+                self.ladder = ladder;
+                self.go_home(terrain);
+            }
+        }
     }
 
     /// Whether the body stands, or has come off ground and is not yet apart from it: a lift that brakes under him who has landed on
@@ -230,7 +316,7 @@ impl Body {
         };
         let goal = self.climb_goal(since, t);
         let accel = self.climb_accel(base, t);
-        let carried = self.frame_piece();
+        let (carried, shaken) = (self.drift(), self.drift_rounding(since));
         match &mut self.mode {
             Mode::Air(air) => {
                 let reached = air.t0 + (goal - air.v0).length() / t.climb_accel;
@@ -244,7 +330,7 @@ impl Body {
                 let goal = goal.dot(on.track.tangent);
                 // What carries him bears the wish of the level along.
                 let drift = -on.track.tangent.dot(carried.accel);
-                let rounding = carried.rounding(since) + ROUNDING * (goal.abs() + on.u0.abs());
+                let rounding = shaken + ROUNDING * (goal.abs() + on.u0.abs());
                 let law = Law::after(on.u0, goal, drift, t.climb_accel, rounding);
                 let law = law.up_to_turn(on.u0);
                 let left = law.until.zip(law.time_left(on.u0));
@@ -259,14 +345,15 @@ impl Body {
     pub(super) fn climbs_off(&self, track: &Track, speed: f64, t: &Motion) -> bool {
         let goal = self.climb_goal(self.time, t);
         let rounding = ROUNDING * (goal.length() + speed.abs());
-        let drive = self.climb_accel(self.velocity(), t) - self.frame_accel();
-        let carried = self.frame.is_some();
+        let v = self.velocity() - self.piece_of(self.ladder).velocity(self.time);
+        let drive = self.climb_accel(v, t) - self.drift().accel;
+        let carried = self.carrier() != self.ladder;
         track.normal.dot(goal) > rounding && (!carried || track.normal.dot(drive) > 0.0)
     }
 
-    /// The velocity that one who climbs wishes for, as what carries him at a time sees it: a ladder stands in the level.
+    /// The velocity that one who climbs wishes for, as what carries him at a time sees it: it counts in the frame of the ladder.
     fn climb_goal(&self, at: f64, t: &Motion) -> DVec2 {
-        self.climb_wish() * t.climb_speed - self.frame_piece().velocity(at)
+        self.climb_wish() * t.climb_speed - self.drift().velocity(at)
     }
 
     /// At the top of a ladder, in line with a one-way: up onto that, for there is no climbing on. False if it is none.

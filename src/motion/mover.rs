@@ -2,7 +2,7 @@
 
 use super::beside::ROUNDING;
 use super::body::Size;
-use crate::mesh::Mesh;
+use crate::mesh::{Kind, Mesh};
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
@@ -151,6 +151,12 @@ impl Mover {
             Size::Stand => &self.stand,
             Size::Crouch => &self.crouch,
         }
+    }
+
+    /// Whether some of its features are regions.
+    pub fn has_regions(&self) -> bool {
+        let is_region = |f| self.stand.kind_of(f) == Some(Kind::Region);
+        self.stand.features().any(is_region)
     }
 
     /// The piece of its motion in force at a time.

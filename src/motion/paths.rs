@@ -20,7 +20,8 @@ impl Body {
         let new = Ride::at(old.mover, now, terrain.movers);
         (beside.frame, beside.of) = (Some(new), None);
         let leap = new.piece.offset(now) - old.piece.offset(now);
-        if beside.contact.is_some() {
+        let drives = beside.contact.is_some() || self.climbs(Some(old.mover));
+        if drives {
             self.rebase();
         }
         let beside = &mut self.beside[i];
@@ -36,7 +37,7 @@ impl Body {
         if beside.contact.is_some() && new.piece != old.piece {
             self.log(EventKind::Node(old.mover), trace);
         }
-        self.beside[i].contact.is_none()
+        !drives
     }
 
     /// Takes up the paths as they are now, after the game has started or stopped a moving solid, or has added or removed some.
@@ -70,7 +71,7 @@ impl Body {
         }
         match is_event {
             true => self.refresh(terrain, trace),
-            false => self.schedule(terrain),
+            false => self.come_to_place(terrain, trace),
         }
     }
 
@@ -81,6 +82,6 @@ impl Body {
         }
         let face = self.level_face(terrain.mesh(self.size));
         self.fly(self.position(), self.velocity(), face, [None; 2]);
-        self.frame = None;
+        (self.frame, self.ladder) = (None, None);
     }
 }

@@ -46,6 +46,7 @@ impl Body {
         let up = match &self.mode {
             // Who holds on is taken along, wherever that goes.
             Mode::Surface(on) if on.grip != Grip::None => DVec2::ZERO,
+            _ if self.climbs(self.carrier()) => DVec2::ZERO,
             Mode::Surface(on) => on.track.normal,
             _ => DVec2::Y,
         };
@@ -61,11 +62,33 @@ impl Body {
             return;
         }
         self.frame = Some(new);
-        if let Mode::Surface(on) = &mut self.mode
+        if !self.climbs(Some(old.mover))
+            && let Mode::Surface(on) = &mut self.mode
             && !on.walkable
             && on.grip == Grip::None
         {
             on.u0 -= on.track.tangent.dot(leap);
+        }
+    }
+
+    /// Tells of a moving solid that minds it that the body has come to stand on it, or is on it no longer.
+    pub(super) fn note_ride(&mut self, terrain: &Terrain, trace: &mut Trace) {
+        let mover = match &self.mode {
+            _ if self.climbing => self.ladder,
+            Mode::Surface(on) if !on.walkable && on.grip == Grip::None => None,
+            Mode::Air(_) | Mode::Crushed(_) => None,
+            Mode::Surface(_) | Mode::Wedge(_) => self.carrier(),
+        };
+        let now = mover.filter(|&mover| terrain.minds_riders(mover));
+        let before = std::mem::replace(&mut self.rides, now);
+        if before == now {
+            return;
+        }
+        if let Some(old) = before {
+            self.log(EventKind::Dismounted(old), trace);
+        }
+        if let Some(new) = now {
+            self.log(EventKind::Mounted(new), trace);
         }
     }
 
@@ -123,6 +146,16 @@ impl Body {
     /// The motion of what carries the body: rest for the level.
     pub(super) fn frame_piece(&self) -> Piece {
         self.frame.map(|ride| ride.piece).unwrap_or_default()
+    }
+
+    /// The motion of a frame: rest for the level.
+    pub(super) fn piece_of(&self, mover: Option<u32>) -> Piece {
+        if mover == self.carrier() {
+            return self.frame_piece();
+        }
+        let mut others = self.beside.iter();
+        let entry = others.find(|b| mover.is_some() && b.mover() == mover);
+        entry.map(Beside::piece).unwrap_or_default()
     }
 
     /// The acceleration of what carries the body, m/s^2.

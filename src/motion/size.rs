@@ -209,7 +209,8 @@ impl Body {
     fn fit(&mut self, size: Size, terrain: &Terrain) -> bool {
         let mesh = terrain
             .ground_under(self.carrier(), size)
-            .climbed(self.climbing);
+            .climbed(self.climbing)
+            .with_ladder(self.ladder == self.carrier());
         self.rebase();
         let (p, v, carrier) = (self.local_position(), self.local_velocity(), self.carrier());
         let on_border = self

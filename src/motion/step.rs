@@ -42,9 +42,12 @@ impl Body {
             coyote_from: None,
             off_wall: None,
             regions: Vec::new(),
+            regions_move: false,
             climbing: false,
+            ladder: None,
             reach: Reach::Open,
             rising: false,
+            rides: None,
             next: None,
         };
         body.fly(at, DVec2::ZERO, face, [None; 2]);
@@ -184,6 +187,7 @@ impl Body {
                 self.choose_law(terrain);
             }
         }
+        self.note_ride(terrain, trace);
         self.come_to_place(terrain, trace);
     }
 

@@ -44,6 +44,8 @@ pub struct Traits {
     pub friction: Option<f64>,
     /// What its concave joints do, instead of the tuning's choice.
     pub concave: Option<Concave>,
+    /// To come to stand on the moving solid that it belongs to, and to leave it, are events.
+    pub minds_riders: bool,
 }
 
 /// What a body moves in.
@@ -88,6 +90,7 @@ impl<'a> Terrain<'a> {
             traits: self.traits,
             max_slope: self.tuning.max_slope,
             climbing: false,
+            ends: false,
         }
     }
 
@@ -100,6 +103,7 @@ impl<'a> Terrain<'a> {
                 traits: self.traits,
                 max_slope: self.tuning.max_slope,
                 climbing: false,
+                ends: false,
             },
         }
     }
@@ -123,6 +127,12 @@ impl<'a> Terrain<'a> {
         }
     }
 
+    /// Whether to come to stand on a moving solid, and to leave it, are events.
+    pub(super) fn minds_riders(&self, mover: u32) -> bool {
+        let mut features = self.movers[mover as usize].stand.features();
+        features.any(|f| self.traits_of(f).minds_riders)
+    }
+
     /// The traits of a feature.
     pub fn traits_of(&self, feature: FeatureId) -> Traits {
         self.traits
@@ -141,8 +151,10 @@ pub struct Ground<'a> {
     pub traits: &'a [Traits],
     /// Steepest ground that can be stood on.
     pub max_slope: f64,
-    /// To who climbs on a ladder: its top and its bottom stop him, one-ways do not.
+    /// To who climbs on a ladder: one-ways do not stop him.
     pub climbing: bool,
+    /// To who climbs on a ladder of this mesh: the tops and the bottoms of its ladders stop him.
+    pub ends: bool,
 }
 
 impl<'a> Ground<'a> {
@@ -155,7 +167,17 @@ impl<'a> Ground<'a> {
 
     /// The same as it meets one who climbs on a ladder, or does not.
     pub fn climbed(self, climbing: bool) -> Ground<'a> {
-        Ground { climbing, ..self }
+        Ground {
+            climbing,
+            ends: climbing,
+            ..self
+        }
+    }
+
+    /// The same as it meets one whose ladder is, or is not, of this mesh.
+    pub fn with_ladder(self, here: bool) -> Ground<'a> {
+        let ends = self.ends && here;
+        Ground { ends, ..self }
     }
 
     /// Whether a body left of the edge is stopped by it: by a solid on its right, by a line, or by the front of a one-way that
@@ -164,7 +186,7 @@ impl<'a> Ground<'a> {
     pub fn blocks(&self, e: EdgeId) -> bool {
         self.mesh.blocks(e)
             || self.mesh.has_front(e) && self.has_front_that_stops(e)
-            || self.climbing && self.ends_ladder(e)
+            || self.ends && self.ends_ladder(e)
     }
 
     /// Whether one-ways alone stop a body left of the edge.
@@ -213,7 +235,7 @@ impl<'a> Ground<'a> {
     /// side, or their front, there. Regions, and one-ways too steep to stand on, stop nobody.
     pub fn facing(self, e: EdgeId) -> impl Iterator<Item = SegmentId> + 'a {
         let meets = move |u: &Use| match self.mesh.kind(u.segment) {
-            Kind::Region => u.forward && self.climbing && self.is_end(u.segment),
+            Kind::Region => u.forward && self.ends && self.is_end(u.segment),
             _ => !u.forward && self.stops(u.segment),
         };
         self.mesh.uses(e).filter(meets).map(|u| u.segment)

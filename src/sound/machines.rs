@@ -63,7 +63,10 @@ pub struct Machines {
 impl Machines {
     /// Those of a level.
     pub fn new(level: &level::Level) -> Machines {
-        let is_door = |m: &level::Mover| m.repeat == Repeat::Once && m.starts != Starts::AtOnce;
+        let comes_back = |m: &level::Mover| m.back.is_some() || !m.calls.is_empty();
+        let is_door = |m: &level::Mover| {
+            m.repeat == Repeat::Once && m.starts != Starts::AtOnce && !comes_back(m)
+        };
         let movers = level.movers.iter();
         let is_belt = |f: &&level::Feature| f.conveyor != 0.0 && f.kind != Kind::Ladder;
         let belts = level.features.iter().filter(is_belt);

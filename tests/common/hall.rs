@@ -1,5 +1,7 @@
 //! A long hall with regions and movers, for tests of what the rules make of events.
 
+#![allow(dead_code, reason = "each test uses its own part")]
+
 use edgewalker::game::{Input, Stage, World};
 use edgewalker::level::{By, Feature, Kind, Level, Mover, Rect};
 use edgewalker::tune::Tuning;

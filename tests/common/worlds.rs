@@ -8,6 +8,7 @@ use rand_pcg::Pcg32;
 use rand_pcg::rand_core::Rng;
 
 /// A generator of the numbers a test wants.
+#[derive(Clone)]
 pub struct Dice(Pcg32);
 
 impl Dice {

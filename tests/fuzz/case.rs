@@ -2,7 +2,7 @@
 //! and written to a file.
 
 use edgewalker::geom::{Collider, Point};
-use edgewalker::level::{Concave, Easing, Feature, Kind, Mover, Repeat, Stop};
+use edgewalker::level::{Concave, Easing, Feature, Kind, Mover, Repeat, Starts, Stop};
 use edgewalker::mesh::{self, FeatureId, Mesh};
 use edgewalker::motion::mover::{self, Path, Piece};
 use edgewalker::motion::terrain::{self, Region, Traits};
@@ -111,8 +111,12 @@ impl World {
             let [stand, crouch] = colliders
                 .each_ref()
                 .map(|c| Arc::new(mesh(&m.features, traits.len(), c)));
-            traits.extend(m.features.iter().map(self::traits));
-            let (path, start) = (path(m), Some(0.0));
+            let ridden = m.starts == Starts::Ridden;
+            traits.extend(m.features.iter().map(|f| Traits {
+                minds_riders: ridden,
+                ..self::traits(f)
+            }));
+            let (path, start) = (path(m), (!ridden).then_some(0.0));
             movers.push(mover::Mover {
                 stand,
                 crouch,
@@ -137,6 +141,15 @@ impl Ready {
             traits: &self.traits,
             movers: &self.movers,
             ..Terrain::new(&self.meshes[0], &self.meshes[1], tuning)
+        }
+    }
+
+    /// Movers that begin when they are ridden wait again.
+    pub fn park(&mut self, world: &World) {
+        for (mover, drawn) in self.movers.iter_mut().zip(&world.movers) {
+            if drawn.starts == Starts::Ridden {
+                mover.start = None;
+            }
         }
     }
 
@@ -184,6 +197,7 @@ fn traits(feature: &Feature) -> Traits {
             Concave::Keep => terrain::Concave::Keep,
             Concave::Project => terrain::Concave::Project,
         }),
+        minds_riders: false,
     }
 }
 

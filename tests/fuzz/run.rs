@@ -53,6 +53,7 @@ pub fn live(case: &Case, ready: &mut Ready, tally: &mut Tally) -> Result<(), Fai
 fn ticks(case: &Case, ready: &mut Ready, tally: &mut Tally, n: &mut u64) -> Result<(), String> {
     let (world, life) = (&case.world, &case.life);
     let time = |n: u64| (life.since + n) as f64 / world.rate;
+    ready.park(world);
     let Some(mut body) = born(ready, &world.tuning, life.start, time(0)) else {
         return Ok(());
     };
@@ -75,9 +76,25 @@ fn ticks(case: &Case, ready: &mut Ready, tally: &mut Tally, n: &mut u64) -> Resu
             return Err(format!("{what}\n    after {last:?}\n    {body:?}"));
         }
         tally.note(&body, &trace);
+        set_out(ready, &world.tuning, &mut body, &mut trace);
         dead += u64::from(matches!(body.mode(), Mode::Crushed(_)));
     }
     Ok(())
+}
+
+/// What the body has come to ride in a tick, and has waited for that, begins to go.
+fn set_out(ready: &mut Ready, tuning: &Motion, body: &mut Body, trace: &mut Trace) {
+    let ridden = trace.events.iter().filter_map(|event| match event.kind {
+        EventKind::Mounted(mover) => Some(mover as usize),
+        _ => None,
+    });
+    let ridden: Vec<usize> = ridden.collect();
+    for mover in ridden {
+        if ready.movers[mover].start.is_none() {
+            ready.movers[mover].start = Some(body.time());
+            body.take_up_paths(&ready.terrain(tuning), trace);
+        }
+    }
 }
 
 /// A tick, and every invariant after it.

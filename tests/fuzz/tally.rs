@@ -20,6 +20,7 @@ pub struct Tally {
 /// Modes that must not be rarer than one tick in [`RAREST`].
 const MODES: &[&str] = &[
     "Air",
+    "ClimbOnMover",
     "Crushed",
     "Ground",
     "Ride",
@@ -58,6 +59,7 @@ const EVENTS: &[&str] = &[
     "Left",
     "LetGo",
     "Limit",
+    "Mounted",
     "Node",
     "Parted",
     "Pushed",
@@ -145,6 +147,7 @@ impl fmt::Display for Tally {
 fn mode(body: &Body) -> String {
     let rides = body.carrier().is_some();
     let name = match body.mode() {
+        Mode::Air(_) if rides => "ClimbOnMover",
         Mode::Air(_) => "Air",
         Mode::Surface(_) if body.supported() && rides => "Ride",
         Mode::Surface(_) if body.supported() => "Ground",

@@ -3,7 +3,7 @@
 use super::case::{Build, Case, Edit, Life, World};
 use super::dice::Dice;
 use edgewalker::geom::{Point, check_outline, check_polyline};
-use edgewalker::level::{Concave, Easing, Feature, Kind, Mover, Repeat, Stop};
+use edgewalker::level::{Concave, Easing, Feature, Kind, Mover, Repeat, Starts, Stop};
 use edgewalker::motion::Control;
 use edgewalker::tune::Motion;
 use glam::DVec2;
@@ -45,6 +45,8 @@ pub fn world(dice: &mut Dice) -> World {
     }
     let mut movers: Vec<Mover> = (0..dice.below(4)).map(|_| mover(dice, family)).collect();
     movers.extend((0..1 + dice.below(3)).map(|_| machine(dice, family)));
+    // Of numbers of their own, so that the rest is as it was without.
+    moving_regions(&mut dice.clone(), family, &mut movers);
     let in_movers = movers.iter_mut().flat_map(|m| &mut m.features);
     for feature in features.iter_mut().chain(in_movers) {
         rotate(&mut feature.outline, turn);
@@ -221,6 +223,46 @@ fn mover(dice: &mut Dice, family: Family) -> Mover {
         path,
         repeat: [Repeat::Loop, Repeat::PingPong][dice.below(2) as usize],
         starts: Default::default(),
+        ..Mover::default()
+    }
+}
+
+/// Regions on what moves, and some that move alone; and some of what moves begins only when it is ridden.
+fn moving_regions(dice: &mut Dice, family: Family, movers: &mut Vec<Mover>) {
+    for mover in movers.iter_mut() {
+        let (low, high) = mover.features[0]
+            .outline
+            .iter()
+            .fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(low, high), p| {
+                (low.min(*p), high.max(*p))
+            });
+        let outline = match dice.below(4) {
+            0 => rect(low.x, low.y - 0.5, high.x, low.y), // spikes below
+            1 => rect(low.x - 0.5, low.y, high.x + 0.5, high.y + 4.0),
+            _ => continue,
+        };
+        let on_top = dice.below(2) == 0;
+        let ladder = Feature {
+            kind: Kind::Ladder,
+            outline: rect(high.x - 0.75, high.y, high.x, high.y + 5.0),
+            ..Feature::default()
+        };
+        let plain = Feature {
+            kind: Kind::Trigger,
+            outline,
+            ..Feature::default()
+        };
+        mover.features.push(if on_top { ladder } else { plain });
+    }
+    for _ in 0..dice.below(3) {
+        let mut alone = mover(dice, family);
+        alone.features = vec![region(dice, family)];
+        movers.push(alone);
+    }
+    for mover in movers.iter_mut() {
+        if dice.below(4) == 0 {
+            mover.starts = Starts::Ridden;
+        }
     }
 }
 
@@ -242,6 +284,7 @@ fn machine(dice: &mut Dice, family: Family) -> Mover {
         path: vec![stop(DVec2::ZERO, dice), stop(way, dice)],
         repeat: Repeat::PingPong,
         starts: Default::default(),
+        ..Mover::default()
     }
 }
 

@@ -1,7 +1,7 @@
 //! Kinds of features, their traits, and movers: what is read, and what is refused in which words.
 
 use super::{mutants, survive};
-use edgewalker::level::{self, By, Concave, Easing, Kind, Material, Mood, Repeat, Starts};
+use edgewalker::level::{self, By, Concave, Easing, End, Kind, Material, Mood, Repeat, Starts};
 use std::path::Path;
 
 /// A level with every kind of feature and every field.
@@ -144,6 +144,37 @@ fn a_plain_level_is_written_without_the_fields_that_it_does_not_use() {
     ] {
         assert!(!text.contains(field), "{field}");
     }
+    let movers = level::parse(FULL, Path::new("full.ron")).unwrap().movers;
+    let text = ron::to_string(&movers).unwrap();
+    for field in ["back", "calls"] {
+        assert!(!text.contains(field), "{field}");
+    }
+}
+
+#[test]
+fn every_kind_moves_and_movers_come_back_when_they_are_ridden_or_called() {
+    let lift = r#"features: [(id: "shelf", outline: [(80, 0), (81, 0), (81, 4)]),
+        (id: "chain", kind: Ladder, outline: [(83, 0), (84, 0), (84, 5)]),
+        (id: "teeth", kind: Hazard, outline: [(80, -1), (81, -1), (81, 0)]),
+        (id: "rest", kind: Checkpoint, respawn: Some((80, 5)), outline: [(80, 4), (81, 4), (81, 6)]),
+        (id: "out", kind: Goal, outline: [(85, 0), (86, 0), (86, 1)]),
+        (id: "cabin", kind: Trigger, outline: [(80, 4), (81, 4), (81, 6)]),
+        (id: "nook", kind: Secret, outline: [(87, 0), (88, 0), (88, 1)])]"#;
+    let plain = r#"features: [(id: "leaf", outline: [(80, 0), (81, 0), (81, 4)])]"#;
+    let starts = r#"starts: On("button")"#;
+    let ridden = r#"starts: Ridden, back: Some(2.5), calls: [(by: "cabin", to: First), (by: "button", to: Last)]"#;
+    let text = FULL.replacen(plain, lift, 1).replacen(starts, ridden, 1);
+    let level = level::parse(&text, Path::new("full.ron")).unwrap();
+    let mover = &level.movers[1];
+    assert_eq!(mover.features.len(), 7);
+    assert_eq!((&mover.starts, mover.back), (&Starts::Ridden, Some(2.5)));
+    let calls: Vec<_> = mover.calls.iter().map(|c| (c.by.as_str(), c.to)).collect();
+    assert_eq!(calls, [("cabin", End::First), ("button", End::Last)]);
+    let written = ron::to_string(&level).unwrap();
+    assert_eq!(
+        level::parse(&written, Path::new("full.ron")).unwrap(),
+        level
+    );
 }
 
 #[test]
@@ -292,8 +323,58 @@ const BAD_MOVERS: &[Change] = &[
     ),
     (
         "id: \"deck\"",
-        "id: \"deck\", kind: Ladder",
-        "22: movers[0], feature \"deck\", kind: Ladder cannot move: only Solid and OneWay can",
+        "id: \"deck\", kind: Checkpoint",
+        "22: movers[0], feature \"deck\", respawn: is missing: a checkpoint says where the hero comes back",
+    ),
+    (
+        "id: \"deck\"",
+        "id: \"deck\", kind: Checkpoint, respawn: Some((60, 3995))",
+        "22: movers[0], feature \"deck\", respawn.y: at path[1], 4000 is out of bounds: coordinates are between -4000 and 4000 m",
+    ),
+    (
+        "id: \"deck\"",
+        "id: \"deck\", kind: Checkpoint, respawn: Some((81, 1))",
+        "22: movers[0], feature \"deck\", respawn: the hero would stand inside feature \"leaf\"",
+    ),
+    (
+        "id: \"deck\"",
+        "id: \"deck\", kind: Checkpoint, respawn: Some((60, -11))",
+        "22: movers[0], feature \"deck\", respawn: lies below the bottom, where the hero falls out of the level",
+    ),
+    (
+        "id: \"lift\",",
+        "id: \"lift\", back: Some(1),",
+        "20: mover \"lift\", back: needs a path of two or more stops that is gone Once",
+    ),
+    (
+        "id: \"lift\",",
+        "id: \"lift\", calls: [(by: \"button\", to: Last)],",
+        "20: mover \"lift\", calls: needs a path of two or more stops that is gone Once",
+    ),
+    (
+        "repeat: Once",
+        "repeat: Once, back: Some(-1)",
+        "37: mover \"door\", back: -1 is outside 0..=3600 s",
+    ),
+    (
+        "repeat: Once",
+        "repeat: Once, calls: [(by: \"button\", to: First),\n (by: \"knob\", to: Last)]",
+        "38: mover \"door\", calls[1].by: there is no feature \"knob\"",
+    ),
+    (
+        "repeat: Once",
+        "repeat: Once, calls: [(by: \"leaf\", to: First)]",
+        "37: mover \"door\", calls[0].by: feature \"leaf\" is no Trigger",
+    ),
+    (
+        "repeat: Once",
+        "repeat: Once, calls: [(by: \"button\", to: Middle)]",
+        "37: mover \"door\": Unexpected variant named `Middle` in enum `End`, expected either `First` or `Last` instead",
+    ),
+    (
+        "(id: \"leaf\", outline: [(80, 0), (81, 0), (81, 4)])],\n            path: [\n                (at: (0, 0), seconds: 1),\n                (at: (0, 4)),\n            ],\n            repeat: Once,\n            starts: On(\"button\")",
+        "(id: \"leaf\", kind: Hazard, outline: [(80, 0), (81, 0), (81, 4)])],\n            path: [\n                (at: (0, 0), seconds: 1),\n                (at: (0, 4)),\n            ],\n            repeat: Once,\n            starts: Ridden",
+        "38: mover \"door\", starts: nobody can ride it: it has no Solid, OneWay or Ladder",
     ),
     (
         "(81, 4)])]",

@@ -173,6 +173,7 @@ const VINES: [Traits; 2] = [
         conveyor: 0.0,
         friction: None,
         concave: None,
+        minds_riders: false,
     },
     Traits {
         climbable: false,
@@ -180,6 +181,7 @@ const VINES: [Traits; 2] = [
         conveyor: 0.0,
         friction: None,
         concave: None,
+        minds_riders: false,
     },
 ];
 

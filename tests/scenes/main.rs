@@ -14,6 +14,7 @@ mod movers;
 mod moving;
 mod moving_ladders;
 mod moving_one_ways;
+mod moving_regions;
 mod moving_walls;
 mod one_ways;
 mod regions;

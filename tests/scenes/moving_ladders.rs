@@ -116,3 +116,166 @@ fn who_lets_go_over_a_moving_one_way_lands_on_it() {
         close(run.when(landed), 1.0 + falls, 1e-12);
     });
 }
+
+/// A ladder alone, as what moves: by pieces of (time, offset, velocity, acceleration).
+fn ladder(x: (f64, f64), y: (f64, f64), pieces: &[(f64, DVec2, DVec2, DVec2)]) -> Scene {
+    Scene::boxed().mover(Scene::boxed().region(Region::Ladder, x, y), pieces)
+}
+
+#[test]
+fn a_ladder_that_moves_carries_who_climbs_it() {
+    // He takes hold at rest, and is driven straight from (-2, 0) to (0, 4) m/s, as the ladder sees it; then he goes with it.
+    let scene = ladder((-9.0, 9.0), (-9.0, 90.0), &[(0.0, ZERO, v(2.0, 0.0), ZERO)]);
+    let turns = f64::sqrt(20.0) / 60.0;
+    at_every_rate(&scene, |run, rate| {
+        run.spawn(0.0, 5.0).up(true).play(3.0, rate);
+        close(run.when(|k| k == EventKind::Climbed), 0.0, 0.0);
+        run.near(6.0 - turns, 5.0 + 2.0 * turns + 4.0 * (3.0 - turns), 1e-12);
+        assert!((run.speed() - v(2.0, 4.0)).length() < 1e-14);
+        assert_eq!(run.body().carrier(), Some(0));
+    });
+}
+
+#[test]
+fn who_holds_on_to_a_ladder_keeps_to_it_however_it_moves() {
+    // At rest with it at first; then it speeds up, jumps from 4 m/s to -1, and slows down. He never moves on it by a bit.
+    let pieces = [
+        (0.0, ZERO, ZERO, ZERO),
+        (1.0, ZERO, ZERO, v(2.0, 1.0)),
+        (3.0, v(4.0, 2.0), v(-1.0, 6.0), v(0.5, -3.0)),
+        (5.0, v(3.0, 8.0), ZERO, ZERO),
+    ];
+    let scene = ladder((-1.0, 1.0), (-1.0, 30.0), &pieces);
+    at_every_rate(&scene, |run, rate| {
+        run.spawn(0.5, 4.0).up(true).up(false).play(1.0, rate);
+        run.near(0.5, 4.0, 0.0);
+        run.play(2.0, rate).near(1.5, 4.5, 1e-14);
+        run.play(4.0, rate).near(0.5 + 3.25, 4.0 + 6.5, 1e-13);
+        run.play(6.0, rate).near(3.5, 12.0, 1e-13);
+        assert!(run.body().climbing() && run.speed() == ZERO);
+    });
+}
+
+#[test]
+fn the_end_of_a_ladder_that_moves_stops_who_climbs_it() {
+    // Down from 2.5 m up the ladder, which rises: at its foot he rests, and rises with it.
+    let scene = ladder(
+        (-1.0, 1.0),
+        (0.0, 9.0),
+        &[(0.0, ZERO, v(0.0, 1.0), v(0.0, 0.5))],
+    );
+    at_every_rate(&scene, |run, rate| {
+        run.spawn(0.0, 2.5).up(true).up(false).down(true);
+        run.play(3.0, rate).near(0.0, 3.0 + 2.25, 1e-13);
+        assert!(run.body().climbing());
+        run.play(4.0, rate).near(0.0, 4.0 + 4.0, 1e-13);
+        assert!((run.speed() - v(0.0, 3.0)).length() < 1e-13);
+    });
+}
+
+#[test]
+fn a_jump_off_a_ladder_that_moves_takes_its_velocity_along() {
+    // Gravity 30, jump 12: from a ladder that goes by at (2, 3) m/s.
+    let scene = ladder((-9.0, 9.0), (-9.0, 90.0), &[(0.0, ZERO, v(2.0, 3.0), ZERO)]);
+    at_every_rate(&scene, |run, rate| {
+        run.spawn(0.0, 0.0).velocity(2.0, 3.0).up(true).up(false);
+        run.play(1.0, rate).near(2.0, 3.0, 1e-14).jump(true);
+        assert_eq!(run.speed(), v(2.0, 15.0));
+        assert!(!run.body().climbing() && run.body().carrier().is_none());
+        run.play(1.5, rate).near(3.0, 3.0 + 7.5 - 3.75, 1e-13);
+    });
+}
+
+#[test]
+fn who_steps_off_a_ladder_that_moves_falls_with_its_velocity() {
+    // Sideways at 4 m/s from the middle, 1 m to go: 1/15 s and 2/15 m to get going.
+    let scene = ladder((-1.0, 1.0), (-9.0, 90.0), &[(0.0, ZERO, v(0.0, 2.0), ZERO)]);
+    let off = 1.0 / 15.0 + (1.0 - 2.0 / 15.0) / 4.0;
+    at_every_rate(&scene, |run, rate| {
+        run.spawn(0.0, 0.0).velocity(0.0, 2.0).up(true).up(false);
+        run.hold(1.0).play(1.0, rate);
+        close(run.when(|k| k == EventKind::LetGo), off, 1e-14);
+        let falls = 1.0 - off;
+        run.near(1.0 + 4.0 * falls, 2.0 - 15.0 * falls * falls, 1e-12);
+    });
+}
+
+#[test]
+fn one_who_climbs_goes_over_from_one_ladder_to_another_that_passes() {
+    // A ladder stands; another one comes along and takes him with it only where the first ends.
+    let other = Scene::boxed().region(Region::Ladder, (0.5, 3.0), (-9.0, 30.0));
+    let scene = Scene::boxed()
+        .region(Region::Ladder, (-1.0, 1.0), (-9.0, 30.0))
+        .mover(other, &[(0.0, ZERO, v(0.0, 1.0), ZERO)]);
+    let over = 1.0 / 15.0 + (1.0 - 2.0 / 15.0) / 4.0;
+    at_every_rate(&scene, |run, rate| {
+        run.spawn(0.0, 0.0).up(true).up(false).hold(1.0);
+        run.play(0.25, rate);
+        assert_eq!(run.body().carrier(), None);
+        run.play(0.5, rate).hold(0.0);
+        assert_eq!(run.body().carrier(), Some(0));
+        assert!(run.kinds().iter().all(|&k| k != EventKind::LetGo));
+        run.play(1.0, rate);
+        // From (4, -1) m/s, as the ladder sees it, he is driven to (4, 0), and at 1/2 s to rest.
+        let [drives, brakes] = [1.0 / 60.0, 4.0 / 60.0];
+        let y = (0.5 - over) - drives / 2.0 + 0.5;
+        run.near(1.0 + 4.0 * (0.5 - over) + 2.0 * brakes, y, 1e-12);
+        assert!(run.body().climbing());
+    });
+}
+
+#[test]
+fn a_ladder_that_goes_down_sets_its_climber_on_the_floor() {
+    let scene = ladder((-1.0, 1.0), (-9.0, 9.0), &[(0.0, ZERO, v(0.0, -2.0), ZERO)])
+        .rect((-9.0, 9.0), (-5.0, -4.0));
+    at_every_rate(&scene, |run, rate| {
+        run.spawn(0.0, 0.0).velocity(0.0, -2.0).up(true).up(false);
+        run.play(1.5, rate).near(0.0, -3.0, 1e-14).play(3.0, rate);
+        run.near(0.0, -4.0, 0.0);
+        close(run.when(landed), 2.0, 1e-14);
+        assert!(run.supported() && !run.body().climbing());
+        assert_eq!(run.body().carrier(), None);
+    });
+}
+
+#[test]
+fn a_ladder_on_a_lift_is_climbed_from_its_deck_and_down_to_it() {
+    // The lift rises from rest with 1 m/s^2; the deck is at 0 and the ladder on it 6 m high.
+    let lift = Scene::boxed().rect((-2.0, 2.0), (-1.0, 0.0)).region(
+        Region::Ladder,
+        (-1.0, 1.0),
+        (0.0, 6.0),
+    );
+    let scene = Scene::boxed().mover(lift, &[(0.0, ZERO, ZERO, v(0.0, 1.0))]);
+    at_every_rate(&scene, |run, rate| {
+        run.spawn(0.0, 0.0).play(1.0, rate).near(0.0, 0.5, 1e-14);
+        run.up(true).play(2.0, rate);
+        // 2/15 m until he climbs at 4 m/s.
+        run.near(0.0, 2.0 + 2.0 / 15.0 + 4.0 * (1.0 - 1.0 / 15.0), 1e-12);
+        run.play(4.0, rate).near(0.0, 8.0 + 6.0, 1e-12);
+        assert!(run.body().climbing(), "at its top");
+        run.up(false).down(true).play(6.0, rate);
+        run.near(0.0, 18.0, 1e-12);
+        assert!(run.supported() && run.body().carrier() == Some(0));
+    });
+}
+
+#[test]
+fn a_wall_holds_back_who_climbs_a_ladder_that_passes_it() {
+    // The wall's side is at 3 m, he is 13/32 m wide: the ladder leaves him there, 6 m long, with its far end.
+    let scene = ladder((-3.0, 3.0), (-9.0, 30.0), &[(0.0, ZERO, v(2.0, 0.5), ZERO)])
+        .rect((3.0, 4.0), (-20.0, 40.0));
+    at_every_rate(&scene, |run, rate| {
+        run.spawn(0.0, 0.0).velocity(2.0, 0.5).up(true).up(false);
+        run.play(2.0, rate).near(3.0 - HALF, 1.0, 1e-12);
+        assert!(run.body().climbing(), "it carries him up along the wall");
+        run.play(2.5, rate).near(3.0 - HALF, 1.25, 1e-12);
+        // Its near end, at -3 + 2 t, passes him there.
+        run.play(4.0, rate);
+        close(
+            run.when(|k| k == EventKind::LetGo),
+            (6.0 - HALF) / 2.0,
+            1e-12,
+        );
+    });
+}

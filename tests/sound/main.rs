@@ -130,6 +130,7 @@ fn ferry() -> Mover {
         path: vec![stop(0.0, 1.0), stop(6.0, 2.0)],
         repeat: Default::default(),
         starts: Starts::AtOnce,
+        ..Mover::default()
     }
 }
 
@@ -268,6 +269,7 @@ fn machines_are_heard_by_distance() {
         ],
         repeat: Default::default(),
         starts: Starts::AtOnce,
+        ..Mover::default()
     };
     let listen = |x: f64| {
         let mut run = Run::new(level(vec![floor(Material::Rock)], vec![slam.clone()]));
@@ -305,6 +307,7 @@ fn machine(id: &str, x: f64, way: DVec2) -> Mover {
         path: vec![stop(DVec2::ZERO), stop(way)],
         repeat: Default::default(),
         starts: Starts::AtOnce,
+        ..Mover::default()
     }
 }
 
@@ -381,6 +384,7 @@ fn places_tell_themselves_once() {
         ],
         repeat: Repeat::Once,
         starts: Starts::On("button".into()),
+        ..Mover::default()
     };
     let features = vec![floor(Material::Rock), button, checkpoint, secret, thorns];
     let mut run = Run::new(level(features, vec![door]));

@@ -7,11 +7,14 @@ use crate::level::Kind;
 /// A trigger that nothing waits for, and a region that solids fill, are mistakes of whoever made the level.
 pub(super) fn check(case: &Case, report: &mut Report) {
     let stage = case.stage;
-    let movers = 0..stage.level.movers.len();
-    let awaited: Vec<_> = movers.filter_map(|mover| stage.trigger(mover)).collect();
+    let awaited: Vec<_> = stage.triggers().collect();
     let land = stage.land(&Shape::hero());
     let open = |id| {
-        let mesh = &land.as_ref().ok()?.stand.level;
+        let meshes = &land.as_ref().ok()?.stand;
+        let mesh = match stage.mover_of(id) {
+            Some(mover) => &meshes.movers[mover],
+            None => &meshes.level,
+        };
         let free = |&f: &_| mesh.cover(f).contains(&id) && !mesh.is_solid(f);
         Some(mesh.faces().any(|f| free(&f)))
     };

@@ -1,8 +1,9 @@
-//! The rules of terrain that moves.
+//! The rules of what moves.
 
 use super::features::{check_body, check_id};
 use super::{check_point, require, shown};
 use crate::level::{Entity, Feature, Flaw, Kind, Level, Mover, Repeat, Starts, Stop};
+use glam::DVec2;
 use std::collections::BTreeMap;
 
 /// A mover stops at most this often on one path.
@@ -22,6 +23,7 @@ pub(super) fn check_movers(level: &Level, mut seen: BTreeMap<String, String>) ->
         check_id(&mover.id, &entity, format!("movers[{index}]"), &mut names)?;
         check_path(mover, &entity)?;
         check_start(level, mover, &entity)?;
+        check_ends(level, mover, &entity)?;
         let some = !mover.features.is_empty();
         require(some, &entity, "features", || {
             "nothing moves: there are none".into()
@@ -74,27 +76,65 @@ fn check_path(mover: &Mover, entity: &Entity) -> Result<(), Flaw> {
     Ok(())
 }
 
-/// What sets it going is there, and is a trigger.
+/// What sets it going is there.
 fn check_start(level: &Level, mover: &Mover, entity: &Entity) -> Result<(), Flaw> {
-    let Starts::On(trigger) = &mover.starts else {
-        return Ok(());
-    };
-    let found = level.features.iter().find(|feature| feature.id == *trigger);
-    require(found.is_some(), entity, "starts", || {
-        format!("there is no feature {trigger:?}")
+    let holds = |f: &Feature| f.kind.is_terrain() || f.kind == Kind::Ladder;
+    match &mover.starts {
+        Starts::AtOnce => Ok(()),
+        Starts::On(trigger) => check_trigger(level, trigger, entity, "starts"),
+        Starts::Ridden => require(mover.features.iter().any(holds), entity, "starts", || {
+            "nobody can ride it: it has no Solid, OneWay or Ladder".into()
+        }),
+    }
+}
+
+/// Some feature has this id, and is a trigger.
+fn check_trigger(level: &Level, id: &str, entity: &Entity, field: &str) -> Result<(), Flaw> {
+    let riders = level.movers.iter().flat_map(|mover| &mover.features);
+    let mut all = level.features.iter().chain(riders);
+    let found = all.find(|feature| feature.id == id);
+    require(found.is_some(), entity, field, || {
+        format!("there is no feature {id:?}")
     })?;
     let is_trigger = found.is_some_and(|feature| feature.kind == Kind::Trigger);
-    require(is_trigger, entity, "starts", || {
-        format!("feature {trigger:?} is no Trigger")
+    require(is_trigger, entity, field, || {
+        format!("feature {id:?} is no Trigger")
     })
 }
 
-/// Terrain only, and in bounds wherever it goes.
+/// What comes back or is called goes between two ends.
+fn check_ends(level: &Level, mover: &Mover, entity: &Entity) -> Result<(), Flaw> {
+    let has_ends = mover.repeat == Repeat::Once && mover.path.len() > 1;
+    let only = |given: bool, field: &str| {
+        require(!given || has_ends, entity, field, || {
+            "needs a path of two or more stops that is gone Once".into()
+        })
+    };
+    only(mover.back.is_some(), "back")?;
+    only(!mover.calls.is_empty(), "calls")?;
+    let back = mover.back.unwrap_or_default();
+    require(
+        (0.0..=SECONDS_LIMIT).contains(&back),
+        entity,
+        "back",
+        || format!("{} is outside 0..={SECONDS_LIMIT} s", shown(back)),
+    )?;
+    for (i, call) in mover.calls.iter().enumerate() {
+        check_trigger(level, &call.by, entity, &format!("calls[{i}].by"))?;
+    }
+    Ok(())
+}
+
+/// In bounds wherever it goes, and so is the place where a checkpoint puts the hero.
 fn check_rider(feature: &Feature, mover: &Mover, entity: &Entity) -> Result<(), Flaw> {
-    require(feature.kind.is_terrain(), entity, "kind", || {
-        format!("{:?} cannot move: only Solid and OneWay can", feature.kind)
-    })?;
     check_body(feature, entity)?;
+    for (i, stop) in mover.path.iter().enumerate() {
+        let place = feature.respawn.unwrap_or(DVec2::ZERO);
+        check_point(entity, "respawn", place + stop.at).map_err(|flaw| Flaw {
+            message: format!("at path[{i}], {}", flaw.message),
+            ..flaw
+        })?;
+    }
     for (i, stop) in mover.path.iter().enumerate() {
         for (corner, &p) in feature.outline.iter().enumerate() {
             check_point(entity, &format!("outline[{corner}]"), p + stop.at).map_err(|flaw| {
