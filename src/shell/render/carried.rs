@@ -1,6 +1,7 @@
 //! What moves by itself in the picture: movers, put where they are frame by frame, and the arrows of belts.
 
 use super::fixtures::Arrows;
+use super::frame::PointLight;
 use super::kit::Kit;
 use super::model::Model;
 use super::shards::Shards;
@@ -18,21 +19,24 @@ const PROUD: f32 = 0.03;
 pub struct Carried {
     movers: Vec<Model>,
     belts: Vec<Arrows>,
+    /// The lamps that ride, each with the number of its mover.
+    lamps: Vec<(usize, PointLight)>,
 }
 
 impl Carried {
-    /// Builds the movers and belts of a stage.
-    pub fn of(stage: &Stage, kit: &Kit) -> Carried {
+    /// Builds the movers and belts of a stage; what floats over them goes to the shards.
+    pub fn of(stage: &Stage, kit: &Kit, shards: &mut Shards) -> Carried {
         let outlines = stage
             .meshes(&Collider::point())
             .expect("the stage was built with the mesh of its outlines");
-        let movers = stage.level.movers.iter().zip(&outlines.movers);
-        let model = movers.map(|(mover, mesh)| {
+        let mut lamps = Vec::new();
+        let movers = stage.level.movers.iter().zip(&outlines.movers).enumerate();
+        let model = movers.map(|(number, (mover, mesh))| {
             let mut model = terrain::build(&terrain::solids(mesh, stage));
             let features: Vec<&Feature> = mover.features.iter().collect();
-            // No shard and no lamp rides on a mover.
-            let fixtures = fixtures::build(kit, &features, &mut Shards::default());
+            let fixtures = fixtures::build(kit, &features, shards.riding(number));
             model.add(&fixtures.model, Mat4::IDENTITY);
+            lamps.extend(fixtures.lamps.into_iter().map(|lamp| (number, lamp)));
             for feature in &mover.features {
                 add_resting_arrows(feature, &mut model);
             }
@@ -41,8 +45,10 @@ impl Carried {
             }
             model
         });
+        let movers = model.collect();
         Carried {
-            movers: model.collect(),
+            movers,
+            lamps,
             belts: stage
                 .level
                 .features
@@ -56,6 +62,17 @@ impl Carried {
     pub fn models(&self) -> impl Iterator<Item = &Model> {
         let arrows = self.belts.iter().map(|belt| &belt.model);
         self.movers.iter().chain(arrows)
+    }
+
+    /// The lamps that ride, where they are by the offsets of the movers.
+    pub fn lamps<'a>(&'a self, offsets: &'a [DVec2]) -> impl Iterator<Item = PointLight> + 'a {
+        self.lamps.iter().filter_map(|&(mover, lamp)| {
+            let offset = offsets.get(mover)?.as_vec2().extend(0.0);
+            Some(PointLight {
+                at: lamp.at + offset,
+                ..lamp
+            })
+        })
     }
 
     /// Calls `show` with the number of each model and how far it is from where it was drawn, in metres: movers by their
@@ -96,8 +113,8 @@ mod tests {
             ..Feature::default()
         };
         let carried = Carried {
-            movers: Vec::new(),
             belts: fixtures::arrows(&belt),
+            ..Carried::default()
         };
         let tips = |time: f64| {
             let tip = f32::from_bits(carried.belts[0].model.words[0]);

@@ -5,7 +5,7 @@
 use super::bearers::{Bearers, Frame, HEMP, IRON, ROOT};
 use super::fixtures::outline;
 use super::model::{Model, Paint, paint};
-use crate::level::{Level, Material, Mover, is_upright};
+use crate::level::{Feature, Level, Material, Mover, is_upright};
 use glam::Vec2;
 
 /// Depth of posts and rails behind the hero, of what runs before them and of what braces them.
@@ -50,10 +50,17 @@ pub fn build(level: &Level, water: f32) -> Model {
 
 /// What one mover runs on.
 fn frame(mover: &Mover, bearers: &Bearers) -> Frame {
-    let corners = || mover.features.iter().flat_map(outline);
+    // What runs on it is its terrain; what has none, like a saw, all of it.
+    let is_terrain = |f: &&Feature| f.kind.is_terrain();
+    let has_terrain = mover.features.iter().any(|f| f.kind.is_terrain());
+    let runs = || {
+        let all = mover.features.iter();
+        all.filter(move |f| !has_terrain || is_terrain(f))
+    };
+    let corners = || runs().flat_map(outline);
     let min = corners().fold(Vec2::INFINITY, Vec2::min);
     let max = corners().fold(Vec2::NEG_INFINITY, Vec2::max);
-    let timber = (mover.features.iter()).all(|f| f.material == Material::Timber);
+    let timber = runs().all(|f| f.material == Material::Timber);
     let mut frame = Frame::default();
     for (a, b) in ways(mover) {
         let (a, b) = if a.y <= b.y { (a, b) } else { (b, a) };
@@ -240,6 +247,7 @@ mod tests {
             path: vec![stop((0.0, 0.0)), stop(to)],
             repeat,
             starts: Default::default(),
+            ..Mover::default()
         }
     }
 

@@ -4,12 +4,16 @@ use super::frame::{MAX_LIGHTS, PointLight};
 use glam::Vec3;
 
 /// Puts the lights that matter for a picture around a point into `chosen`: the nearest, in order of distance.
-pub fn choose(lamps: &[PointLight], around: Vec3, chosen: &mut Vec<PointLight>) {
+pub fn choose(
+    lamps: impl IntoIterator<Item = PointLight>,
+    around: Vec3,
+    chosen: &mut Vec<PointLight>,
+) {
     let distance = |lamp: &PointLight| lamp.at.distance(around) - lamp.reach;
     for lamp in lamps {
-        let rank = chosen.partition_point(|other| distance(other) <= distance(lamp));
+        let rank = chosen.partition_point(|other| distance(other) <= distance(&lamp));
         if rank < MAX_LIGHTS {
-            chosen.insert(rank, *lamp);
+            chosen.insert(rank, lamp);
             chosen.truncate(MAX_LIGHTS);
         }
     }
@@ -28,7 +32,7 @@ mod tests {
         };
         let lamps: Vec<PointLight> = (0..40).rev().map(lamp).collect();
         let mut chosen = Vec::new();
-        choose(&lamps, Vec3::X * 3.2, &mut chosen);
+        choose(lamps, Vec3::X * 3.2, &mut chosen);
         assert_eq!(chosen.len(), MAX_LIGHTS);
         assert_eq!(chosen[0].at.x, 3.0);
         assert!(chosen.iter().all(|lamp| lamp.at.x < 15.5));

@@ -84,6 +84,8 @@ const VERTEX: [Format; 5] = [
 ];
 /// Behind the debug lines when the world is not drawn.
 const BACKGROUND: [f32; 3] = [0.07, 0.08, 0.10];
+/// At most so many lamps that ride on movers light a picture.
+const RIDING_LIGHTS: usize = 4;
 
 /// Draws frames. Owns everything it made in its OpenGL context.
 pub struct Renderer {
@@ -116,6 +118,8 @@ pub struct Renderer {
     /// All lamps of the stage, and those of the current picture.
     lamps: Vec<PointLight>,
     lit: Vec<PointLight>,
+    /// Those of them that ride on movers.
+    riding: Vec<PointLight>,
     gate: Option<PointLight>,
     /// Room to put uploads together in, kept from frame to frame.
     words: Vec<u32>,
@@ -169,6 +173,7 @@ impl Renderer {
             lamps: Vec::new(),
             gate: None,
             lit: Vec::with_capacity(frame::MAX_LIGHTS + 1),
+            riding: Vec::with_capacity(frame::MAX_LIGHTS + 1),
             words: Vec::new(),
             gl,
         })
@@ -182,7 +187,7 @@ impl Renderer {
         self.water.upload(&scene.water_words);
         self.water_height = scene.water;
         self.chunks = scene.chunks;
-        self.carried = Carried::of(stage, &self.kit);
+        self.carried = Carried::of(stage, &self.kit, &mut self.shards);
         let (pieces, movers) = (scene.pieces, self.carried.models());
         self.crowd.set(&self.kit, movers, pieces, &scene.light);
         self.lamps = scene.lamps;
@@ -310,22 +315,26 @@ impl Renderer {
             let place = (first + number, Mat4::from_translation(at));
             crowd.show(block, place, None, words);
         });
-        let aim = frame.camera.target;
-        self.shards
-            .place(frame.view, aim, frame.time, |piece, place, glow| {
-                crowd.show(block, (piece, place), Some(glow), words);
-            });
+        self.shards.place(frame, |piece, place, glow| {
+            crowd.show(block, (piece, place), Some(glow), words);
+        });
         crowd.upload(words);
     }
 
     /// Chooses the lamps of a picture: the hero's always, the checkpoint's that holds, the gate's second light once it is
-    /// reached, then the nearest. Gives how many of them are not baked into what stands still.
+    /// reached, a few that ride on movers, then the nearest. Gives how many of them are not baked into what stands still.
     fn light(&mut self, frame: &Frame, hero: Option<PointLight>) -> usize {
         self.lit.clear();
-        lamps::choose(&self.lamps, frame.camera.target, &mut self.lit);
-        self.lit.truncate(frame::MAX_LIGHTS - 3);
+        let aim = frame.camera.target;
+        self.riding.clear();
+        lamps::choose(self.carried.lamps(frame.offsets), aim, &mut self.riding);
+        self.riding.truncate(RIDING_LIGHTS);
+        lamps::choose(self.lamps.iter().copied(), aim, &mut self.lit);
+        self.lit.truncate(frame::MAX_LIGHTS - 3 - self.riding.len());
         let standing = self.lit.len();
-        self.lit.extend(self.shards.light(frame.view));
+        self.lit.extend(&self.riding);
+        self.lit
+            .extend(self.shards.light(frame.view, frame.offsets));
         if let (Some(at), Some(gate)) = (frame.view.won_at, self.gate) {
             let share = (frame.view.time - at).clamp(0.0, 1.0) as f32;
             self.lit.push(PointLight {

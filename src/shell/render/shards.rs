@@ -1,9 +1,9 @@
 //! What floats and lights up: the shards over lodestones, and the light of the gate.
 
-use super::frame::PointLight;
+use super::frame::{Frame, PointLight};
 use super::kit::{Kit, Part};
 use crate::game::View;
-use glam::{DVec2, Mat4, Vec3};
+use glam::{DVec2, Mat4, Vec2, Vec3};
 
 /// Height of a shard over the foot of its lodestone, and how far it rises and falls, in metres.
 const HEIGHT: f32 = 1.86;
@@ -27,11 +27,29 @@ pub const DIM: f32 = 0.3;
 
 /// A shard over a lodestone.
 struct Shard {
-    /// Where the checkpoint puts the hero's foot: this tells it from others.
+    /// Where the checkpoint puts the hero's foot, as it was drawn: this tells it from others.
     respawn: DVec2,
-    foot: Vec3,
+    foot: Foot,
     /// Its lamp, at full strength.
     light: Option<PointLight>,
+}
+
+/// Where something stands, as it was drawn, and the number of the mover that it rides on.
+#[derive(Clone, Copy)]
+struct Foot {
+    at: Vec3,
+    mover: Option<usize>,
+}
+
+impl Foot {
+    /// Where it is by the offsets of the movers.
+    fn moved(self, offsets: &[DVec2]) -> Vec3 {
+        let offset = self.mover.and_then(|mover| offsets.get(mover));
+        self.at
+            + offset
+                .map_or(Vec2::ZERO, |offset| offset.as_vec2())
+                .extend(0.0)
+    }
 }
 
 /// Everything of a stage that floats.
@@ -41,7 +59,9 @@ pub struct Shards {
     shard: usize,
     gate: usize,
     shards: Vec<Shard>,
-    gates: Vec<Vec3>,
+    gates: Vec<Foot>,
+    /// The mover on which the next ones ride.
+    mover: Option<usize>,
 }
 
 impl Shards {
@@ -54,8 +74,15 @@ impl Shards {
         }
     }
 
+    /// What is added from now on rides on a mover.
+    pub fn riding(&mut self, mover: usize) -> &mut Shards {
+        self.mover = Some(mover);
+        self
+    }
+
     /// Adds the shard of a lodestone that stands at a foot.
     pub fn lodestone(&mut self, respawn: DVec2, foot: Vec3, light: Option<PointLight>) {
+        let foot = self.foot(foot);
         self.shards.push(Shard {
             respawn,
             foot,
@@ -65,44 +92,50 @@ impl Shards {
 
     /// Adds the light of a gate that stands at a foot.
     pub fn gate(&mut self, foot: Vec3) {
-        self.gates.push(foot);
+        self.gates.push(self.foot(foot));
     }
 
-    /// The lamp of the checkpoint that holds.
-    pub fn light(&self, view: &View) -> Option<PointLight> {
-        let taken = self
-            .shards
-            .iter()
-            .find(|s| Some(s.respawn) == view.checkpoint);
-        taken.and_then(|shard| shard.light)
+    fn foot(&self, at: Vec3) -> Foot {
+        let mover = self.mover;
+        Foot { at, mover }
     }
 
-    /// Calls `show` with the piece, the place and the glow of all that is near the camera's aim.
-    pub fn place(&self, view: &View, aim: Vec3, time: f64, mut show: impl FnMut(usize, Mat4, f32)) {
-        let seconds = time as f32;
+    /// The lamp of the checkpoint that holds; movers are where their offsets say.
+    pub fn light(&self, view: &View, offsets: &[DVec2]) -> Option<PointLight> {
+        let mut shards = self.shards.iter();
+        let taken = shards.find(|s| Some(s.respawn) == view.checkpoint)?;
+        let light = taken.light?;
+        let at = light.at + (taken.foot.moved(offsets) - taken.foot.at);
+        Some(PointLight { at, ..light })
+    }
+
+    /// Calls `show` with the piece, the place and the glow of all that is near the camera's aim, movers by their offsets.
+    pub fn place(&self, frame: &Frame, mut show: impl FnMut(usize, Mat4, f32)) {
+        let (view, aim, offsets) = (frame.view, frame.camera.target, frame.offsets);
+        let seconds = frame.time as f32;
         for shard in &self.shards {
-            if (shard.foot.x - aim.x).abs() > NEAR {
+            let foot = shard.foot.moved(offsets);
+            if (foot.x - aim.x).abs() > NEAR {
                 continue;
             }
             let taken = usize::from(view.checkpoint == Some(shard.respawn));
-            let rise = BOB * (seconds * SWING + shard.foot.x).sin();
-            let place = Mat4::from_translation(shard.foot + Vec3::Y * (HEIGHT + rise))
-                * Mat4::from_rotation_y(seconds * SPIN[taken] + shard.foot.x)
+            // What rides swings and turns as where it was drawn.
+            let drawn = shard.foot.at.x;
+            let rise = BOB * (seconds * SWING + drawn).sin();
+            let place = Mat4::from_translation(foot + Vec3::Y * (HEIGHT + rise))
+                * Mat4::from_rotation_y(seconds * SPIN[taken] + drawn)
                 * Mat4::from_scale(Vec3::splat(SIZE[taken]));
             show(self.shard, place, GLOW[taken]);
         }
-        for foot in self
-            .gates
-            .iter()
-            .filter(|foot| (foot.x - aim.x).abs() < FAR)
-        {
+        let gates = self.gates.iter().map(|foot| foot.moved(offsets));
+        for foot in gates.filter(|foot| (foot.x - aim.x).abs() < FAR) {
             let dawn = match view.won_at {
                 Some(at) => ((view.time - at) / DAWN).clamp(0.0, 1.0) as f32,
                 None => 0.0,
             };
             let breath = BREATH * (seconds * 0.8).sin();
             let glow = WAITING + breath + (1.0 - WAITING) * dawn;
-            show(self.gate, Mat4::from_translation(*foot), glow);
+            show(self.gate, Mat4::from_translation(foot), glow);
         }
     }
 }
