@@ -170,6 +170,41 @@ fn a_goal_a_secret_and_a_trigger_that_move_come_to_the_hero() {
 }
 
 #[test]
+fn the_place_of_return_of_a_checkpoint_that_moves_rides_along() {
+    // A deck goes at 2 m/s; he dies at 1 s and at 3.5 s, and is set on it where it is then, as fast as it is.
+    let rest = Feature {
+        respawn: Some(DVec2::new(4.5, 1.5)),
+        ..block("rest", Kind::Checkpoint, (3.5, 1.25), (4.5, 4.0))
+    };
+    let cart = going(
+        vec![block("deck", Kind::Solid, (2.0, 1.0), (6.0, 1.5)), rest],
+        (20.0, 0.0),
+        10.0,
+    );
+    at_every_rate(|rate| {
+        let mut game = Game::new(&[], std::slice::from_ref(&cart), rate);
+        game.world.put(DVec2::new(3.0, 1.5)).unwrap();
+        game.play(0.3, 1);
+        for died in [1.0, 3.5] {
+            game.play(died, 0);
+            game.step(Input {
+                respawn: true,
+                ..Input::default()
+            });
+            for later in [0.5, 1.5] {
+                game.play(died + later, 0);
+                let place = DVec2::new(4.5 + 2.0 * (died + later), 1.5);
+                let off = game.world.view().position - place;
+                assert!(off.length() < 1e-12, "{rate} Hz: {off}");
+                assert_eq!(game.world.hero().carrier(), Some(0));
+            }
+        }
+        assert_eq!(game.world.view().deaths, 2);
+        game.world.hero().hash()
+    });
+}
+
+#[test]
 fn a_lift_begins_when_somebody_lands_on_it_and_comes_back_when_nobody_is_on_it() {
     let fall = f64::sqrt(4.0 / 30.0);
     let (begun, left) = at_every_rate(|rate| {

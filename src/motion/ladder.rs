@@ -356,6 +356,14 @@ impl Body {
         self.climb_wish() * t.climb_speed - self.drift().velocity(at)
     }
 
+    /// Where one who climbs along something wants to go along it: where he wishes to, and where a ladder that moves past takes him.
+    fn climb_lead(&self, t: &Motion) -> DVec2 {
+        match self.carrier() == self.ladder {
+            true => self.climb_wish(),
+            false => self.climb_goal(self.time, t),
+        }
+    }
+
     /// At the top of a ladder, in line with a one-way: up onto that, for there is no climbing on. False if it is none.
     pub(super) fn climb_onto(
         &mut self,
@@ -414,7 +422,7 @@ impl Body {
             return self.leave(joint, end, terrain, trace);
         };
         let kept = (joint.speed * on.cosine).max(0.0);
-        let leads_on = self.climb_wish().dot(on.track.tangent) * on.sign > 0.0;
+        let leads_on = self.climb_lead(terrain.tuning).dot(on.track.tangent) * on.sign > 0.0;
         if leads_on || mesh.walkable(on.segment) {
             let into = joint.lost(kept);
             self.settle(

@@ -3,6 +3,7 @@
 use super::{Case, Plan, Report};
 use crate::cli::walk::{Player, Start, Walk, walk};
 use crate::game::{Replay, World};
+use glam::DVec2;
 use std::sync::Arc;
 
 /// Random play from the start and from every checkpoint.
@@ -16,11 +17,15 @@ pub(super) fn check(case: &Case, report: &mut Report) {
         name: "the start".into(),
         at: stage.level.start,
     };
-    let checkpoint = |feature: &crate::level::Feature| {
+    let checkpoint = |(feature, offset): (&crate::level::Feature, DVec2)| {
         let name = format!("checkpoint {:?}", feature.id);
-        feature.respawn.map(|at| Start { name, at })
+        let at = feature.respawn? + offset;
+        Some(Start { name, at })
     };
-    let checkpoints = stage.level.features.iter().filter_map(checkpoint);
+    let still = stage.level.features.iter().map(|f| (f, DVec2::ZERO));
+    let movers = stage.level.movers.iter();
+    let moving = movers.flat_map(|m| m.features.iter().map(move |f| (f, m.parked())));
+    let checkpoints = still.chain(moving).filter_map(checkpoint);
     let starts: Vec<Start> = std::iter::once(start).chain(checkpoints).collect();
     let walks = starts.len() as u64;
     let Plan {
