@@ -91,10 +91,15 @@ pub fn without_mark(text: &str) -> &str {
 /// # Errors
 /// The directory or the file cannot be written, or it is no regular file; the old file is then untouched.
 pub fn write_atomically(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    replace(path, |file| file.write_all(bytes))
+}
+
+/// Replaces a file by what is written into another one beside it, of which nothing stays if that fails.
+fn replace(path: &Path, write: impl FnOnce(&mut File) -> io::Result<()>) -> io::Result<()> {
     let path = &target(path)?;
     let temporary = temporary_beside(path)?;
     let written = File::create(&temporary).and_then(|mut file| {
-        file.write_all(bytes)?;
+        write(&mut file)?;
         file.sync_all()
     });
     let replaced = written.and_then(|()| fs::rename(&temporary, path));
@@ -181,5 +186,33 @@ fn rule_error(text: &str, file: &Path, flaw: Flaw) -> LevelError {
         entity: Some(flaw.entity),
         field: Some(flaw.field),
         message: flaw.message,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A full disk leaves what was there, and nothing beside it.
+    #[test]
+    fn a_write_that_fails_leaves_nothing_behind() {
+        let folder = std::env::temp_dir().join(format!("edgewalker-half-{}", std::process::id()));
+        fs::create_dir_all(&folder).unwrap();
+        let path = folder.join("file");
+        let full = |file: &mut File| {
+            file.write_all(b"half")?;
+            Err(io::Error::from(io::ErrorKind::StorageFull))
+        };
+        for before in [None, Some("old")] {
+            if let Some(text) = before {
+                fs::write(&path, text).unwrap();
+            }
+            let failed = replace(&path, full).unwrap_err();
+            assert_eq!(failed.kind(), io::ErrorKind::StorageFull);
+            assert_eq!(fs::read_to_string(&path).ok().as_deref(), before);
+            let left = fs::read_dir(&folder).unwrap().count();
+            assert_eq!(left, usize::from(before.is_some()), "files in the folder");
+        }
+        fs::remove_dir_all(folder).unwrap();
     }
 }

@@ -117,6 +117,31 @@ fn what_carries_along_makes_no_steps() {
     assert!(!run.heard(Sound::StepTimber).is_empty());
 }
 
+/// A belt is heard as fast as it runs, whichever way, up to the speed from which all sound alike.
+#[test]
+fn a_belt_is_heard_at_its_own_speed() {
+    for (speed, share) in [
+        (0.5, 0.125),
+        (1.0, 0.25),
+        (-1.0, 0.25),
+        (3.0, 0.75),
+        (4.0, 1.0),
+        (-9.0, 1.0),
+    ] {
+        let belt = Feature {
+            conveyor: speed,
+            ..floor(Material::Iron)
+        };
+        let mut run = Run::new(level(vec![belt], vec![]));
+        run.ear = Some(DVec2::ZERO); // right over it
+        run.play(0.2, 0);
+        let heard = run.levels[Loop::Belt.slots()][0];
+        let (gain, pitch) = (0.5 + 0.5 * share, 0.8 + 0.4 * share);
+        assert!((heard.gain - gain).abs() < 1e-3, "{speed} m/s: {heard:?}");
+        assert!((heard.pitch - pitch).abs() < 1e-3, "{speed} m/s: {heard:?}");
+    }
+}
+
 fn ferry() -> Mover {
     let stop = |x: f64, wait: f64| Stop {
         at: DVec2::new(x, 0.0),
