@@ -10,6 +10,7 @@ pub mod lines;
 pub mod load;
 mod preset;
 pub mod summary;
+pub mod terminal;
 pub mod tuning;
 mod walk;
 

@@ -1,7 +1,7 @@
 //! The game's program: understands its arguments, then plays.
 
 use edgewalker::cli::check::{self, Plan};
-use edgewalker::cli::{self, Command, Heard, Options};
+use edgewalker::cli::{self, Command, Heard, Options, terminal};
 use std::path::Path;
 use std::process::ExitCode;
 
@@ -16,23 +16,17 @@ fn main() -> ExitCode {
         Ok(Command::Check(plan)) => check(&plan),
         Ok(Command::Window(options)) => play(&options),
         Err(error) => {
-            complain(&format!("{error}\nTry `edgewalker --help`."));
+            terminal::say(format!("{error}\nTry `edgewalker --help`."));
             return ExitCode::from(2);
         }
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,
         Err(reason) => {
-            complain(&reason);
+            terminal::say(reason);
             ExitCode::FAILURE
         }
     }
-}
-
-/// To the terminal; where even that cannot be written, the exit status has to say it.
-fn complain(reason: &str) {
-    use std::io::Write;
-    let _ = writeln!(std::io::stderr(), "edgewalker: {reason}");
 }
 
 /// To the terminal, or to a reader who may have gone.

@@ -3,7 +3,7 @@
 #[path = "common/hall.rs"]
 mod hall;
 
-use edgewalker::game::{Input, World};
+use edgewalker::game::{Input, Replay, Run, World};
 use edgewalker::level::{Feature, Kind};
 use edgewalker::tune::Tuning;
 use glam::DVec2;
@@ -58,6 +58,7 @@ fn a_run_goes_on_in_another_world() {
     let mut second = world(&features, &[], 60);
     assert!(second.resume(&run));
     assert_eq!(second.so_far(), run);
+    expect_same_again(&run, second.clone());
     assert_eq!(second.view().position, DVec2::new(5.0, 0.0));
     play(&mut second, 1.0, 0);
     assert!((second.view().run_time() - run.seconds - 1.0).abs() < 1e-9);
@@ -66,4 +67,31 @@ fn a_run_goes_on_in_another_world() {
     let mut changed = world(&features[1..], &[], 60);
     assert!(!changed.resume(&run), "the checkpoint is gone");
     assert_eq!(changed.view().position, DVec2::ZERO);
+}
+
+/// A run that was gone on with is a replay like any other: its text says what it went on with.
+fn expect_same_again(run: &Run, mut world: World) {
+    let tuning = Tuning::default();
+    let mut replay = Replay::new("hall", world.stage(), world.tick_rate(), 0, &tuning);
+    replay.run = Some(run.clone());
+    for tick in 0..90 {
+        let input = Input {
+            run: if tick < 60 { 127 } else { -127 },
+            ..Input::default()
+        };
+        replay.push(input);
+        world.step(input, &tuning);
+    }
+    let read = Replay::parse(&replay.to_text()).unwrap();
+    assert_eq!(read, replay);
+    let again = read.run(world.stage().clone()).unwrap();
+    assert_eq!(
+        (again.hash(), again.so_far()),
+        (world.hash(), world.so_far())
+    );
+    let bad = replay
+        .to_text()
+        .replacen("seconds: ", "seconds: -inf, // ", 1);
+    let refused = Replay::parse(&bad).unwrap_err().to_string();
+    assert!(refused.contains("field `run`"), "{refused}");
 }

@@ -13,7 +13,7 @@ What to play
   --seed N            Seed of the game's random numbers (default: 0)
 
 Runs as values
-  --record FILE       Write the inputs of this run to FILE when the game is left
+  --record FILE       Write the inputs of this run to FILE as they come
   --replay FILE       Play a recorded run; it brings its level, tuning, tick rate and seed
   --headless          With --replay: no window, print the final state's hash and a summary
   --screenshot FILE   Write one picture as PNG and leave; needs --at

@@ -1,7 +1,7 @@
 //! From paths to what is played: a level with its meshes, a replay.
 
 use super::files::{FileError, find, read_text};
-use super::lines;
+use super::{lines, terminal};
 use crate::game::{Replay, Stage};
 use crate::level::{self, LevelError};
 use std::path::Path;
@@ -37,19 +37,26 @@ pub fn stage(path: &Path) -> Result<Arc<Stage>, LoadError> {
     Ok(Arc::new(Stage::build(level).map_err(failed)?))
 }
 
-/// A recorded run.
+/// A recorded run. Of one that breaks off, what is whole; that is said in the terminal.
 ///
 /// # Errors
 /// The file is missing, or not a replay that this program understands.
 pub fn replay(path: &Path) -> Result<Replay, LoadError> {
     let path = find(path);
     let text = read_text(&path).map_err(LoadError::File)?;
-    Replay::parse(&text).map_err(|error| {
+    Replay::parse(&text).or_else(|error| {
+        if let Some(replay) = Replay::parse_cut(&text) {
+            let (file, ticks) = (path.display(), replay.ticks());
+            terminal::say(format!(
+                "{file}: breaks off; its first {ticks} ticks are whole"
+            ));
+            return Ok(replay);
+        }
         let line = error
             .field()
             .map(|name| format!("line {}: ", lines::of_field(&text, name)));
         let reason = format!("{}{error}", line.unwrap_or_default());
-        LoadError::File(FileError::new(&path, reason))
+        Err(LoadError::File(FileError::new(&path, reason)))
     })
 }
 

@@ -1,5 +1,6 @@
 //! Runs as values: the inputs of a run with all that they depend on, as text.
 
+use super::run::Run;
 use super::stage::Stage;
 use super::{Input, World};
 use crate::tune::{TuneError, Tuning};
@@ -16,6 +17,11 @@ pub const LONGEST: u64 = 86_400_000;
 
 /// Highest tick rate.
 pub const FASTEST: u32 = 10_000;
+
+/// What comes before the inputs in the text, before each of them, and after the last.
+const LIST: &str = "inputs: [";
+const ENTRY: &str = "        ";
+const END: &str = "    ],\n)\n";
 
 /// A recorded run.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -34,6 +40,9 @@ pub struct Replay {
     /// Where the hero's foot is at first, m; `None`: at the level's start.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub start: Option<DVec2>,
+    /// The run that it goes on with; `None`: it begins anew.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub run: Option<Run>,
     /// All tunables.
     pub tuning: Tuning,
     /// The inputs: for how many ticks, which.
@@ -112,6 +121,7 @@ impl Replay {
             tick_rate,
             seed,
             start: None,
+            run: None,
             tuning: tuning.clone(),
             inputs: Vec::new(),
         }
@@ -154,6 +164,9 @@ impl Replay {
             let put = world.put(start);
             put.map_err(|error| ReplayError::Field("start", error.to_string()))?;
         }
+        if let Some(run) = &self.run {
+            world.resume(run);
+        }
         Ok(world)
     }
 
@@ -171,8 +184,39 @@ impl Replay {
 
     /// As text.
     pub fn to_text(&self) -> String {
-        let pretty = ron::ser::PrettyConfig::new().depth_limit(2);
+        let pretty = ron::ser::PrettyConfig::new().new_line("\n").depth_limit(2);
         ron::ser::to_string_pretty(self, pretty).expect("a replay is plain data") + "\n"
+    }
+
+    /// The end of [`to_text`](Self::to_text) from an entry of the inputs on: what takes the place of the end of an older text
+    /// whose last entry that is.
+    pub fn tail(&self, from: usize) -> String {
+        let pretty = ron::ser::PrettyConfig::new().depth_limit(0);
+        let mut tail = String::new();
+        for entry in self.inputs.iter().skip(from) {
+            let text = ron::ser::to_string_pretty(entry, pretty.clone());
+            let text = text.expect("an entry is plain data");
+            tail.extend([ENTRY, &text, ",\n"]);
+        }
+        tail + END
+    }
+
+    /// From a text that breaks off among its inputs, as that of a program which was stopped while it wrote, or of a full disk:
+    /// the run up to the last entry that is whole. `None` if it breaks off before its inputs, or does not break off but
+    /// is wrong.
+    pub fn parse_cut(text: &str) -> Option<Replay> {
+        let list = text.find(LIST)? + LIST.len();
+        let last = text[list..].rfind("))").map(|at| list + at + 2);
+        let kept = last.unwrap_or(list);
+        let rest = text[kept..].trim_start_matches(',').trim_start();
+        let is_entry =
+            |c: char| c.is_ascii_alphanumeric() || c.is_whitespace() || "_:,()-".contains(c);
+        let breaks_off = match rest.strip_prefix(']') {
+            Some(end) => matches!(end.trim_end(), "" | ","),
+            None => rest.is_empty() || rest.starts_with('(') && rest.chars().all(is_entry),
+        };
+        let whole = format!("{}])", &text[..kept]);
+        Replay::parse(&whole).ok().filter(|_| breaks_off)
     }
 
     /// From text.
@@ -215,6 +259,16 @@ impl Replay {
                 format!("{} ticks are more than {LONGEST}", self.ticks()),
             ));
         }
+        if self
+            .run
+            .as_ref()
+            .is_some_and(|run| !run.seconds.is_finite())
+        {
+            return Err(ReplayError::Field("run", "its time is no number".into()));
+        }
         self.tuning.check().map_err(ReplayError::Tuning)
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -6,6 +6,7 @@ use super::edits::Edit;
 use super::front::Front;
 use super::hud::Hud;
 use super::input::{Action, Controls};
+use super::log::{Log, Recorder};
 use super::menu::Screen;
 use super::menu::prompts::Device;
 use super::notices::{Notices, Topic};
@@ -17,10 +18,10 @@ use super::platform::Platform;
 use super::play::Play;
 use super::reload::{Timer, Watch};
 use super::render::Renderer;
-use super::runs::{Feed, Recorder};
+use super::runs::Feed;
 use super::settings::Settings;
 use super::text::{Pass, Text};
-use super::{ShellError, levels, liking, puppet};
+use super::{ShellError, guard, levels, liking, puppet};
 use crate::anim::Rig;
 use crate::cli::{Options, files};
 use crate::tune::Tuning;
@@ -53,6 +54,7 @@ pub struct App {
     pub(super) hud: Hud,
     // The run: where its inputs come from and go to, and what it depends on beside them.
     pub(super) feed: Feed,
+    pub(super) log: Arc<Log>,
     pub(super) recorder: Option<Recorder>,
     pub(super) tuning: Tuning,
     pub(super) seed: u64,
@@ -109,6 +111,7 @@ impl App {
             clock: TickClock::new(start.play.world.tick_rate()),
             play: start.play,
             feed: start.feed,
+            log: start.log,
             recorder: start.recorder,
             tuning: start.tuning,
             tuning_file: start.tuning_file,
@@ -140,6 +143,7 @@ impl App {
         if let Some(device) = options.device.and_then(Device::named) {
             app.controls.pretend(device);
         }
+        guard::watch(&app.log, app.front.folder.as_deref());
         app.show_stage();
         let Settings {
             controls,
@@ -379,8 +383,8 @@ impl App {
         let Some(input) = self.feed.next(&mut self.controls) else {
             return false;
         };
-        if let Some(recorder) = &mut self.recorder {
-            recorder.push(input);
+        if self.log.push(input) {
+            self.tell_recording_ends("it is as long as a replay may be");
         }
         let deaths = self.play.world.view().deaths;
         self.play.tick(input, self.controls.look(), &self.tuning);

@@ -1,13 +1,15 @@
 //! What the overlay, its keys and the tests may ask of the running game: plain values, applied in one place.
 
 use super::app::App;
+use super::guard;
+use super::log::{Log, Recorder};
 use super::menu::Screen;
 use super::notices::Topic;
 use super::play::Play;
 use super::reload::Watch;
 use super::runs::Feed;
 use crate::cli::{load, tuning};
-use crate::game::World;
+use crate::game::{Replay, Run, World};
 use crate::tune::{Camera, Meta, Motion, Tuning};
 use std::path::{Path, PathBuf};
 
@@ -132,12 +134,36 @@ impl App {
     /// All changes of the tunables come through here, so that a recording knows of them.
     fn set_tuning(&mut self, tuning: Tuning) {
         self.tuning = tuning;
-        if let Some(recorder) = &mut self.recorder
-            && recorder.retune(&self.tuning)
-        {
-            self.notices
-                .say("The recording ends here: the tuning was changed");
+        if self.log.retune(&self.tuning) {
+            self.tell_recording_ends("the tuning was changed");
         }
+    }
+
+    /// The log of the run has ended; whoever records it must know.
+    pub(super) fn tell_recording_ends(&mut self, reason: &str) {
+        let is_recorded = |recorder: &Recorder| std::ptr::eq(recorder.log(), &*self.log);
+        if self.recorder.as_ref().is_some_and(is_recorded) {
+            self.notices
+                .say(format!("The recording ends here: {reason}"));
+        }
+    }
+
+    /// What is played from now on begins anew, or goes on with a run.
+    pub(super) fn log_anew(&mut self, run: Option<&Run>) {
+        let world = &self.play.world;
+        let level = self.level_file.path().to_string_lossy();
+        let begin = Replay::new(
+            &level,
+            world.stage(),
+            world.tick_rate(),
+            self.seed,
+            &self.tuning,
+        );
+        self.log = Log::of(Replay {
+            run: run.cloned(),
+            ..begin
+        });
+        guard::watch(&self.log, self.front.folder.as_deref());
     }
 
     /// Writes the file, and takes what was written for known: it is no change to be loaded again.
@@ -178,6 +204,7 @@ impl App {
                 self.hud.begin();
                 self.notices.solve(Topic::Level);
                 self.enter_stage();
+                self.log_anew(None);
             }
             Err(error) => self.notices.fail(Topic::Level, error),
         }
@@ -200,11 +227,8 @@ impl App {
     pub(super) fn enter_stage(&mut self) {
         self.show_stage();
         self.audio.enter(&self.play.world);
-        if let Some(recorder) = &mut self.recorder
-            && recorder.end("the level was changed")
-        {
-            self.notices
-                .say("The recording ends here: the level was changed");
+        if self.log.end("the level was changed") {
+            self.tell_recording_ends("the level was changed");
         }
     }
 

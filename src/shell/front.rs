@@ -1,6 +1,7 @@
 //! The menus in the running game: what reaches them, and what they show.
 
 use super::app::App;
+use super::games::Seen;
 use super::hud;
 use super::levels::Choice;
 use super::menu::devices::{Navigator, pressed};
@@ -15,6 +16,7 @@ use super::settings::{Settings, Store};
 use crate::game::View;
 use sdl2::event::Event;
 use sdl2::mouse::MouseButton;
+use std::path::PathBuf;
 use std::time::Duration;
 
 /// Time from a change of a setting to its being saved: a slider that is dragged is saved once.
@@ -28,13 +30,18 @@ pub struct Front {
     pub heard: Vec<MenuEvent>,
     /// What is saved.
     pub store: Store,
+    /// Where that is; `None`: nowhere.
+    pub(super) folder: Option<PathBuf>,
     /// The settings as they hold now, with what the command line says for this run.
     pub(super) live: Settings,
     pub(super) facts: Facts,
     pub(super) levels: Vec<Choice>,
     /// The level whose run is kept, by its name in the file; `None`: this run leaves no traces.
     pub(super) kept: Option<String>,
-    pub(super) checkpoint: Option<String>,
+    /// What the kept run had come to when it was last looked at.
+    pub(super) seen: Seen,
+    /// Time since the run was kept.
+    pub(super) since_kept: Duration,
     navigator: Navigator,
     look: Look,
     layout: Option<Layout>,
@@ -47,7 +54,12 @@ pub struct Front {
 
 impl Front {
     /// With the settings that are saved, and those that hold for this run.
-    pub fn new(store: Store, live: Settings, levels: Vec<Choice>) -> Front {
+    pub fn new(
+        store: Store,
+        folder: Option<PathBuf>,
+        live: Settings,
+        levels: Vec<Choice>,
+    ) -> Front {
         let facts = Facts {
             has_run: store.progress.unfinished().is_some(),
             levels: levels.iter().map(|level| level.name.clone()).collect(),
@@ -57,11 +69,13 @@ impl Front {
             menu: Menu::default(),
             heard: Vec::new(),
             store,
+            folder,
             live,
             facts,
             levels,
             kept: None,
-            checkpoint: None,
+            seen: Seen::default(),
+            since_kept: Duration::ZERO,
             navigator: Navigator::default(),
             look: Look::default(),
             layout: None,
@@ -74,7 +88,7 @@ impl Front {
 
     /// What is played from now on is no run to be kept.
     pub(super) fn leave_run(&mut self) {
-        (self.kept, self.checkpoint) = (None, None);
+        (self.kept, self.seen) = (None, Seen::default());
     }
 
     /// A menu is open.
@@ -262,6 +276,7 @@ impl App {
         } else {
             self.look_for_goal();
         }
+        self.keep_run_at_times(elapsed);
         let news = self.front.store.saved();
         self.tell_saved(news);
         if let Some(since) = &mut self.front.unsaved {

@@ -1,6 +1,7 @@
 //! Runs as players know them: begun, left, gone on with, finished; and what is kept of them.
 
 use super::app::App;
+use super::front::Front;
 use super::levels::Choice;
 use super::menu::{Command, Screen};
 use super::notices::Topic;
@@ -10,9 +11,27 @@ use super::runs::Feed;
 use super::settings::progress::{Results, clock};
 use crate::cli::load;
 use crate::game::{Run, View, World};
+use std::time::Duration;
 
 /// Seconds from the goal to what the run came to.
 const SAVOUR: f64 = 1.6;
+
+/// Time after which a run is kept again though nothing has happened but that time has passed: what a kill loses at most,
+/// beside the time of a save.
+const KEEP: Duration = Duration::from_millis(500);
+
+/// What a run had come to when it was last looked at.
+#[derive(Default)]
+pub struct Seen {
+    pub(super) checkpoint: Option<String>,
+    began_at: f64,
+    counts: (u32, u32),
+    has_won: bool,
+    /// When it was begun or came to its checkpoint.
+    reached: u64,
+    /// What it came to at the goal.
+    results: Option<Results>,
+}
 
 impl App {
     /// A moment after the goal, what the run came to.
@@ -27,23 +46,17 @@ impl App {
         }
     }
 
-    /// What the run came to; what is kept is saved.
+    /// What the run came to; what is kept was saved when it came to the goal.
     pub(super) fn results(&mut self, view: &View) -> Results {
-        let of = self.play.world.stage().secret_count() as u32;
-        let secrets = (view.secrets, of);
-        let Some(level) = self.front.kept.clone() else {
-            let (seconds, deaths) = (view.run_time(), view.deaths);
-            return Results {
-                seconds,
-                deaths,
-                secrets,
-                best_before: None,
-            };
-        };
-        let progress = &mut self.front.store.progress;
-        let results = progress.finish(&level, view.run_time(), view.deaths, secrets);
-        self.save_progress();
-        results
+        if let Some(results) = self.front.seen.results {
+            return results;
+        }
+        Results {
+            seconds: view.run_time(),
+            deaths: view.deaths,
+            secrets: (view.secrets, self.play.world.stage().secret_count() as u32),
+            best_before: None,
+        }
     }
 
     /// The run as it is now, in a line.
@@ -59,33 +72,87 @@ impl App {
         format!("{place}   ·   {}   ·   {deaths}", clock(view.run_time()))
     }
 
-    /// Sees what a tick has brought: a checkpoint is told and kept.
+    /// Sees what a tick has brought: a checkpoint is told; it, deaths, secrets and the goal are kept at once.
     pub(super) fn note_tick(&mut self) {
-        let now = self
-            .play
-            .world
-            .checkpoint()
-            .map(|feature| feature.id.as_str());
-        if now == self.front.checkpoint.as_deref() {
+        let world = &self.play.world;
+        let view = world.view();
+        let checkpoint = world.checkpoint().map(|feature| feature.id.as_str());
+        let seen = &self.front.seen;
+        let is_new = checkpoint != seen.checkpoint.as_deref();
+        let begins = view.began_at.to_bits() != seen.began_at.to_bits();
+        let has_won = view.won_at.is_some();
+        let counts = (view.deaths, view.secrets);
+        if !is_new && !begins && counts == seen.counts && has_won == seen.has_won {
             return;
         }
-        self.front.checkpoint = now.map(str::to_owned);
-        if self.front.checkpoint.is_some() {
+        let checkpoint = checkpoint.map(str::to_owned);
+        if is_new && checkpoint.is_some() {
             self.hud.checkpoint();
-            self.keep_run();
         }
+        let arrives = has_won && !self.front.seen.has_won;
+        self.see_run();
+        if is_new || begins {
+            self.stamp_run();
+        }
+        match arrives {
+            true => self.finish_run(),
+            false => self.keep_run(),
+        }
+    }
+
+    /// What the run has come to counts as seen.
+    fn see_run(&mut self) {
+        let (world, view) = (&self.play.world, self.play.world.view());
+        let seen = &mut self.front.seen;
+        seen.checkpoint = world.checkpoint().map(|feature| feature.id.clone());
+        (seen.began_at, seen.counts) = (view.began_at, (view.deaths, view.secrets));
+        seen.has_won = view.won_at.is_some();
+        seen.results = seen.results.filter(|_| seen.has_won);
+    }
+
+    /// The run has begun, or come to a checkpoint: just now.
+    fn stamp_run(&mut self) {
+        let Front {
+            kept, store, seen, ..
+        } = &mut self.front;
+        seen.reached = kept.as_ref().map_or(0, |level| store.progress.stamp(level));
+    }
+
+    /// The run has come to the goal: that is kept, if runs are.
+    fn finish_run(&mut self) {
+        let Front {
+            kept, store, seen, ..
+        } = &mut self.front;
+        let Some(level) = kept else {
+            return;
+        };
+        let world = &self.play.world;
+        let of = world.stage().secret_count() as u32;
+        seen.results = Some(store.progress.finish(level, &world.so_far(), of));
+        self.save_progress();
     }
 
     /// Keeps the run as it is now, if runs are kept and it is not over.
     pub(super) fn keep_run(&mut self) {
-        if let Some(level) = &self.front.kept
+        let Front {
+            kept, store, seen, ..
+        } = &mut self.front;
+        if let Some(level) = kept
             && self.play.world.view().won_at.is_none()
         {
-            self.front
-                .store
+            store
                 .progress
-                .note(level, self.play.world.so_far());
+                .note(level, self.play.world.so_far(), seen.reached);
+            self.front.since_kept = Duration::ZERO;
             self.save_progress();
+        }
+    }
+
+    /// Keeps the run's time as it goes on.
+    pub(super) fn keep_run_at_times(&mut self, elapsed: Duration) {
+        self.front.since_kept += elapsed;
+        if self.front.since_kept >= KEEP && !self.paused {
+            self.keep_run();
         }
     }
 
@@ -144,10 +211,13 @@ impl App {
             self.notices
                 .say("The checkpoint is gone: the level begins anew");
         }
-        self.front.checkpoint = world.checkpoint().map(|feature| feature.id.clone());
         self.enter(world);
         self.level_file = level_file;
+        self.log_anew(run);
         self.front.kept = Some(key);
+        self.front.seen = Seen::default();
+        self.see_run();
+        self.stamp_run();
         self.keep_run();
         self.close_menu();
         self.pause(false);
@@ -159,6 +229,7 @@ impl App {
         self.front.leave_run();
         let stage = self.play.world.stage().clone();
         self.enter(World::new(stage, self.play.world.tick_rate(), self.seed));
+        self.log_anew(None);
         self.pause(false);
         self.open_menu(Screen::Title);
     }

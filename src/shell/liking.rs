@@ -26,7 +26,8 @@ pub fn prepare(options: &Options, notices: &mut Notices) -> Front {
         notices.fail(Topic::Settings, said.join("\n"));
     }
     let live = overridden(&store.settings, options);
-    Front::new(store, live, levels::for_players(Path::new(runs::LEVEL)))
+    let levels = levels::for_players(Path::new(runs::LEVEL));
+    Front::new(store, folder, live, levels)
 }
 
 /// Where settings are kept. A picture is the same for everybody: it is taken with the usual settings, unless a folder is named.
@@ -139,8 +140,7 @@ impl App {
 
     /// Begins to write what has been reached.
     pub(super) fn save_progress(&mut self) {
-        let begun = self.front.store.save_progress();
-        self.tell_saved(begun.err().map(Err));
+        self.front.store.save_progress();
     }
 
     /// What became of a save, if there is news.

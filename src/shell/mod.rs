@@ -2,9 +2,9 @@
 //!
 //! In reading order: [`app`] (the frame, as a sequence), `picture` (what it shows), [`platform`] (the window),
 //! [`input`] and [`pads`] (devices), [`clock`] (time to ticks), [`runs`] (from player or replay, recorded or not),
-//! [`play`] (a world being played), [`edits`] (what the overlay may ask for), [`reload`] (files that change),
-//! [`levels`] (those to choose from), [`notices`] (what went wrong), [`capture`] (pictures as files), `bench` (frame
-//! times), [`settings`] (what is set and what has been reached, and their files), [`menu`] (title, pause, settings as
+//! [`log`] (a run's inputs as they come), [`guard`] (what is left of it if the game fails), [`play`] (a world being
+//! played), [`edits`] (what the overlay may ask for), [`reload`] (files that change), [`levels`] (those to choose from),
+//! [`notices`] (what went wrong), [`capture`] (pictures as files), `bench` (frame times), [`settings`] (what is set and what has been reached, and their files), [`menu`] (title, pause, settings as
 //! values, and their look), [`front`] (the menus in the running game), `games` (runs begun and finished), `liking`
 //! (settings made to hold), [`audio`] and `sounds` (what is heard), [`hud`] (what is told beside the world), `contrast`
 //! (bright outlines by wish), `jolt` (how hard landings shake the picture), [`text`] (letters), [`overlay`] (panels and
@@ -20,11 +20,13 @@ pub mod edits;
 mod fall;
 pub mod front;
 mod games;
+pub mod guard;
 pub mod hud;
 pub mod input;
 mod jolt;
 pub mod levels;
 mod liking;
+pub mod log;
 pub mod menu;
 pub mod notices;
 pub mod overlay;
@@ -97,6 +99,10 @@ impl From<render::RenderError> for ShellError {
 /// Whatever keeps the game from starting, and a recording or picture that cannot be written.
 pub fn run(options: &Options) -> Result<(), ShellError> {
     let begin = std::time::Instant::now();
+    guard::keep(|| run_app(options, begin))
+}
+
+fn run_app(options: &Options, begin: std::time::Instant) -> Result<(), ShellError> {
     let mut app = app::App::open(options)?;
     if let Some(Screenshot { file, at }) = &options.screenshot {
         return app.screenshot(file, *at);

@@ -2,14 +2,16 @@
 
 use super::ShellError;
 use super::input::Controls;
+use super::log::{Log, Recorder};
 use super::notices::{Notices, Topic};
 use super::play::Play;
 use super::reload::Watch;
-use crate::cli::files::{self, FileError};
+use crate::cli::files;
 use crate::cli::{Options, Source, load, tuning};
 use crate::game::{Input, Replay, World};
 use crate::tune::Tuning;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// The level that is played unless asked otherwise.
 pub const LEVEL: &str = "levels/quarry.ron";
@@ -20,7 +22,9 @@ pub struct Start {
     pub play: Play,
     /// Where its input comes from.
     pub feed: Feed,
-    /// Where its input goes to.
+    /// Its inputs, from the beginning.
+    pub log: Arc<Log>,
+    /// Where they are written as they come, if they are.
     pub recorder: Option<Recorder>,
     /// Its tunables.
     pub tuning: Tuning,
@@ -53,12 +57,20 @@ pub fn prepare(options: &Options) -> Result<Start, ShellError> {
             let (tuning, tuning_file, notices) = prepare_tuning(tuning.as_deref(), is_played)?;
             let level_file = Watch::new(&files::find(level));
             let world = World::new(load::stage(level)?, *tick_rate, *seed);
+            let log = Log::of(Replay::new(
+                &level.to_string_lossy(),
+                world.stage(),
+                *tick_rate,
+                *seed,
+                &tuning,
+            ));
             let recorder = record
                 .as_deref()
-                .map(|path| Recorder::new(path, level, &world, *seed, &tuning));
+                .map(|path| Recorder::new(path, log.clone()));
             Ok(Start {
                 play: Play::new(world, &tuning),
                 feed: Feed::Player,
+                log,
                 recorder: recorder.transpose()?,
                 tuning,
                 tuning_file,
@@ -74,8 +86,13 @@ fn prepare_replay(path: &Path) -> Result<Start, ShellError> {
     let replay = load::replay(path)?;
     let level_file = Watch::new(&files::find(Path::new(&replay.level)));
     let world = load::replay_world(path, &replay)?;
+    let log = Replay {
+        inputs: Vec::new(),
+        ..replay.clone()
+    };
     Ok(Start {
         play: Play::new(world, &replay.tuning),
+        log: Log::of(log),
         recorder: None,
         tuning: replay.tuning.clone(),
         tuning_file: Watch::new(Path::new(tuning::DEFAULT_FILE)),
@@ -163,76 +180,10 @@ impl Feed {
     pub fn describe(&self, recorder: Option<&Recorder>) -> String {
         match (self, recorder) {
             (Feed::Replay { replay, .. }, _) => format!("replay of {} ticks", replay.ticks()),
-            (Feed::Player, Some(recorder)) if recorder.ended.is_none() => {
-                format!("player, recorded: {} ticks", recorder.replay.ticks())
+            (Feed::Player, Some(recorder)) if recorder.log().goes_on() => {
+                format!("player, recorded: {} ticks", recorder.log().ticks())
             }
             (Feed::Player, _) => "player".into(),
         }
-    }
-}
-
-/// A run being recorded. A replay holds one tuning and one level: when they change, the recording ends there.
-pub struct Recorder {
-    path: PathBuf,
-    replay: Replay,
-    ended: Option<&'static str>,
-}
-
-impl Recorder {
-    /// A recording that will be written to a file.
-    ///
-    /// # Errors
-    /// The file cannot be written.
-    pub fn new(
-        path: &Path,
-        level: &Path,
-        world: &World,
-        seed: u64,
-        tuning: &Tuning,
-    ) -> Result<Recorder, FileError> {
-        files::check_writable(path)?;
-        let level = level.to_string_lossy();
-        let replay = Replay::new(&level, world.stage(), world.tick_rate(), seed, tuning);
-        Ok(Recorder {
-            path: path.to_path_buf(),
-            replay,
-            ended: None,
-        })
-    }
-
-    /// Adds the input of a tick.
-    pub fn push(&mut self, input: Input) {
-        if self.ended.is_none() {
-            self.replay.push(input);
-        }
-    }
-
-    /// The motion changes. Before the first tick that is where the run begins. Returns whether this ended the recording.
-    pub fn retune(&mut self, tuning: &Tuning) -> bool {
-        if self.replay.inputs.is_empty() {
-            self.replay.tuning = tuning.clone();
-        }
-        self.replay.tuning.motion != tuning.motion && self.end("the tuning was changed")
-    }
-
-    /// Ends the recording; returns whether it was still going on.
-    pub fn end(&mut self, reason: &'static str) -> bool {
-        let was_going_on = self.ended.is_none();
-        self.ended.get_or_insert(reason);
-        was_going_on
-    }
-
-    /// Writes the file; says what was written.
-    ///
-    /// # Errors
-    /// The file cannot be written.
-    pub fn write(self) -> Result<String, FileError> {
-        files::write_atomic(&self.path, self.replay.to_text().as_bytes())?;
-        let reason = self
-            .ended
-            .map(|reason| format!(" (ended when {reason})"))
-            .unwrap_or_default();
-        let (ticks, path) = (self.replay.ticks(), self.path.display());
-        Ok(format!("recorded  {ticks} ticks to {path}{reason}"))
     }
 }

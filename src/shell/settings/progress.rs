@@ -3,7 +3,8 @@
 use super::fields::Complaints;
 use crate::game::Run;
 use serde::{Deserialize, Serialize};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
+use std::time::SystemTime;
 
 /// Version of the file.
 pub const VERSION: u32 = 1;
@@ -16,6 +17,8 @@ pub struct Progress {
     pub version: u32,
     /// The level that was played last.
     pub last: Option<String>,
+    /// When its run was begun, came to a checkpoint or ended: a [`now`].
+    pub last_at: u64,
     /// By the level's path.
     pub levels: BTreeMap<String, Record>,
 }
@@ -26,12 +29,16 @@ pub struct Progress {
 pub struct Record {
     /// The run that was left before its goal.
     pub run: Option<Run>,
+    /// When it was begun, came to its checkpoint or ended: a [`now`]. The newest of several is kept.
+    pub reached: u64,
     /// Shortest time to the goal, in seconds.
     pub best_seconds: Option<f64>,
     /// Fewest deaths on the way there.
     pub fewest_deaths: Option<u32>,
     /// Most secrets found in one run.
     pub most_secrets: u32,
+    /// The ids of all secrets that were ever found.
+    pub found: BTreeSet<String>,
     /// How often the goal was reached.
     pub finished: u32,
 }
@@ -87,34 +94,36 @@ impl Progress {
         Some((name, self.levels.get(name)?.run.as_ref()?))
     }
 
-    /// A run is under way: its last checkpoint, time and deaths.
-    pub fn note(&mut self, level: &str, run: Run) {
-        self.last = Some(level.to_owned());
-        self.record(level).run = Some(run);
+    /// A time for what is reached now in a level: later than all that is known there, even if the clock was set back.
+    pub fn stamp(&self, level: &str) -> u64 {
+        let known = self.levels.get(level).map_or(0, |record| record.reached);
+        now().max(known.max(self.last_at) + 1)
     }
 
-    /// The run in a level is given up.
-    pub fn forget_run(&mut self, level: &str) {
-        self.record(level).run = None;
+    /// A run is under way: its last checkpoint, time and deaths; `reached` is the [`stamp`](Self::stamp) of its beginning or
+    /// its checkpoint. One that another game has reached later stays.
+    pub fn note(&mut self, level: &str, run: Run, reached: u64) {
+        self.take_last(reached, Some(level.to_owned()));
+        let record = self.record(level);
+        record.found.extend(run.secrets.iter().cloned());
+        record.take_run(reached, Some(run));
     }
 
     /// A run has come to the goal.
-    pub fn finish(
-        &mut self,
-        level: &str,
-        seconds: f64,
-        deaths: u32,
-        secrets: (u32, u32),
-    ) -> Results {
-        self.last = Some(level.to_owned());
+    pub fn finish(&mut self, level: &str, run: &Run, of: u32) -> Results {
+        let at = self.stamp(level);
+        self.take_last(at, Some(level.to_owned()));
         let record = self.record(level);
+        let (seconds, deaths) = (run.seconds, run.deaths);
+        let secrets = (run.secrets.len() as u32, of);
         let results = Results {
             seconds,
             deaths,
             secrets,
             best_before: record.best_seconds,
         };
-        record.run = None;
+        record.take_run(at, None);
+        record.found.extend(run.secrets.iter().cloned());
         record.best_seconds = Some(results.best());
         record.fewest_deaths = Some(record.fewest_deaths.map_or(deaths, |f| f.min(deaths)));
         record.most_secrets = record.most_secrets.max(secrets.0);
@@ -144,6 +153,12 @@ impl Progress {
     }
 }
 
+/// Milliseconds since the beginning of 1970; 0 before that.
+pub fn now() -> u64 {
+    let since = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH);
+    since.map_or(0, |since| since.as_millis() as u64)
+}
+
 /// Minutes, seconds and hundredths.
 pub struct Clock(u64);
 
@@ -166,34 +181,52 @@ mod tests {
     #[test]
     fn the_best_of_several_runs_is_kept() {
         let mut progress = Progress::default();
-        let first = progress.finish("a", 100.0, 3, (1, 4));
-        assert!(!first.is_record() && first.best() == 100.0);
-        let slower = progress.finish("a", 120.0, 0, (4, 4));
+        let run = |seconds: f64, deaths: u32, secrets: &[&str]| Run {
+            checkpoint: None,
+            seconds,
+            deaths,
+            secrets: secrets.iter().map(ToString::to_string).collect(),
+        };
+        let first = progress.finish("a", &run(100.0, 3, &["x"]), 4);
+        assert!(!first.is_record() && first.best() == 100.0 && first.secrets == (1, 4));
+        let slower = progress.finish("a", &run(120.0, 0, &["x", "y", "z"]), 4);
         assert!(!slower.is_record() && slower.best() == 100.0);
-        let faster = progress.finish("a", 80.0, 9, (0, 4));
+        let faster = progress.finish("a", &run(80.0, 9, &["w"]), 4);
         assert!(faster.is_record() && faster.best_before == Some(100.0));
         let record = &progress.levels["a"];
         assert_eq!(record.best_seconds, Some(80.0));
-        assert_eq!((record.fewest_deaths, record.most_secrets), (Some(0), 4));
-        assert_eq!(record.finished, 3);
+        assert_eq!((record.fewest_deaths, record.most_secrets), (Some(0), 3));
+        assert_eq!((record.finished, record.found.len()), (3, 4));
     }
 
     #[test]
-    fn a_run_is_under_way_until_it_is_finished_or_given_up() {
+    fn a_run_is_under_way_until_it_is_finished() {
         let mut progress = Progress::default();
         assert_eq!(progress.unfinished(), None);
-        let run = Run {
-            seconds: 9.0,
+        let run = |seconds: f64| Run {
+            seconds,
             ..Run::default()
         };
-        progress.note("a", run.clone());
-        assert_eq!(progress.unfinished(), Some(("a", &run)));
-        progress.note("b", run.clone());
-        progress.finish("b", 12.0, 0, (0, 0));
+        let begun = progress.stamp("a");
+        assert!(begun >= 1 && begun.abs_diff(now()) < 60_000);
+        progress.note("a", run(9.0), begun);
+        assert_eq!(progress.unfinished(), Some(("a", &run(9.0))));
+        progress.note("a", run(10.0), begun);
+        assert_eq!(progress.unfinished(), Some(("a", &run(10.0))), "further on");
+        progress.note("a", run(4.0), begun - 1);
+        assert_eq!(
+            progress.unfinished(),
+            Some(("a", &run(10.0))),
+            "an older one"
+        );
+        let again = progress.stamp("a");
+        assert!(again > begun, "even within a millisecond");
+        progress.note("a", run(0.0), again);
+        assert_eq!(progress.unfinished(), Some(("a", &run(0.0))), "a new one");
+        progress.note("b", run(1.0), progress.stamp("b"));
+        progress.finish("b", &run(12.0), 0);
         assert_eq!(progress.unfinished(), None);
-        progress.note("a", run);
-        progress.forget_run("a");
-        assert_eq!(progress.unfinished(), None);
+        assert_eq!(progress.levels["a"].run, Some(run(0.0)));
     }
 
     #[test]

@@ -1,42 +1,52 @@
 //! Files written aside: a disk that takes its time holds up no frame.
 
 use crate::cli::files::{self, FileError};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::thread::{self, JoinHandle};
 
 /// The outcome of a save.
 pub type Saved = Result<(), FileError>;
 
-/// Writes files on a thread of its own, one after the other. Dropped, it waits for the last of them.
-#[derive(Debug, Default)]
-pub struct Saver {
-    last: Option<JoinHandle<Saved>>,
+/// Does one job with files at a time, on a thread of its own. Dropped, it waits for it.
+#[derive(Debug)]
+pub struct Saver<T> {
+    job: Option<JoinHandle<Result<T, FileError>>>,
 }
 
-impl Saver {
-    /// Begins to write a file, after those before it.
-    pub fn save(&mut self, path: PathBuf, text: String) {
-        let before = self.last.take();
-        self.last = Some(thread::spawn(move || {
-            // What became of an older state of the file matters no more.
-            let _ = before.map(JoinHandle::join);
-            write(&path, &text)
-        }));
+impl<T> Default for Saver<T> {
+    fn default() -> Self {
+        Saver { job: None }
+    }
+}
+
+impl<T: Send + 'static> Saver<T> {
+    /// Begins a job, if there is none whose outcome has yet to be asked for.
+    pub fn begin(&mut self, job: impl FnOnce() -> Result<T, FileError> + Send + 'static) {
+        if !self.is_busy() {
+            self.job = Some(thread::spawn(job));
+        }
+    }
+}
+
+impl<T> Saver<T> {
+    /// Whether a job was begun whose outcome nobody has asked for.
+    pub fn is_busy(&self) -> bool {
+        self.job.is_some()
     }
 
-    /// What became of the last save, once, when it is over.
-    pub fn outcome(&mut self) -> Option<Saved> {
-        let is_over = self.last.as_ref().is_some_and(JoinHandle::is_finished);
+    /// What became of the job, once, when it is over.
+    pub fn outcome(&mut self) -> Option<Result<T, FileError>> {
+        let is_over = self.job.as_ref().is_some_and(JoinHandle::is_finished);
         if is_over { self.wait() } else { None }
     }
 
-    /// Waits until all is written; what became of the last save, unless that was told before.
-    pub fn wait(&mut self) -> Option<Saved> {
-        self.last.take()?.join().ok()
+    /// Waits for the job; what became of it, unless that was told before.
+    pub fn wait(&mut self) -> Option<Result<T, FileError>> {
+        self.job.take()?.join().ok()
     }
 }
 
-impl Drop for Saver {
+impl<T> Drop for Saver<T> {
     fn drop(&mut self) {
         let _ = self.wait();
     }
@@ -59,21 +69,28 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_last_of_many_saves_is_what_stays() {
+    fn one_job_at_a_time_and_its_outcome_once() {
         let folder = std::env::temp_dir().join(format!("edgewalker-saver-{}", std::process::id()));
         let path = folder.join("made/file");
         let mut saver = Saver::default();
         assert!(saver.outcome().is_none(), "nothing was saved");
         for number in 0..20 {
-            saver.save(path.clone(), number.to_string());
+            assert!(!saver.is_busy());
+            let path = path.clone();
+            saver.begin(move || write(&path, &number.to_string()).map(|()| number));
+            saver.begin(|| Ok(99));
+            assert_eq!(saver.wait().unwrap().unwrap(), number);
+            assert!(saver.wait().is_none(), "told once");
         }
-        drop(saver);
         assert_eq!(std::fs::read_to_string(&path).unwrap(), "19");
-        let mut saver = Saver::default();
-        saver.save(path.join("in a file"), String::new());
+        let inside = path.join("in a file");
+        saver.begin(move || write(&inside, "").map(|()| 0));
         let why = saver.wait().unwrap().unwrap_err().to_string();
         assert!(why.contains("in a file: cannot be saved"), "{why}");
-        assert!(saver.wait().is_none(), "told once");
+        let late = path.clone();
+        saver.begin(move || write(&late, "late").map(|()| 0));
+        drop(saver);
+        assert_eq!(std::fs::read_to_string(&path).unwrap(), "late");
         std::fs::remove_dir_all(folder).unwrap();
     }
 }

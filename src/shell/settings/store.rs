@@ -2,6 +2,7 @@
 //! that goes wrong with them keeps anybody from playing.
 
 use super::fields::{Complaints, Fields};
+use super::lock::Turn;
 use super::progress::{self, Progress};
 use super::saver::{self, Saved, Saver};
 use super::values::{self, Settings};
@@ -84,16 +85,23 @@ fn pretty(value: &impl Serialize) -> Result<String, ron::Error> {
     ron::ser::to_string_pretty(value, PrettyConfig::new().new_line("\n")).map(|text| text + "\n")
 }
 
-/// Both documents, and where they are kept.
+/// Both documents, and where they are kept. Several games may keep theirs in one place: each save reads what the others have
+/// saved, and brings both together.
 #[derive(Debug, Default)]
 pub struct Store {
     /// As they are saved; what the command line says for one run is not among them.
     pub settings: Settings,
     /// What has been reached.
     pub progress: Progress,
+    /// Both as they were last in their files.
+    known: (Settings, Progress),
     settings_file: Option<PathBuf>,
     progress_file: Option<PathBuf>,
-    saver: Saver,
+    saver: Saver<Progress>,
+    /// The progress that is being saved.
+    handed: Progress,
+    /// It has changed since.
+    is_waiting: bool,
 }
 
 impl Store {
@@ -103,69 +111,158 @@ impl Store {
             return (Store::default(), Vec::new());
         };
         let mut said = Vec::new();
-        let (settings, settings_file) = load(folder, &mut said);
-        let (progress, progress_file) = load(folder, &mut said);
+        let turn = Turn::at(folder);
+        if turn.is_alone() {
+            remove_halves(folder);
+        }
+        let (settings, settings_file) = load::<Settings>(folder, &mut said);
+        let (progress, progress_file) = load::<Progress>(folder, &mut said);
         let store = Store {
+            known: (settings.clone(), progress.clone()),
             settings,
             progress,
             settings_file,
             progress_file,
-            saver: Saver::default(),
+            ..Store::default()
         };
         (store, said)
     }
 
-    /// Writes the settings.
+    /// Writes the settings: those that were changed here, and those that other games have changed.
     ///
     /// # Errors
     /// The file cannot be written; the game goes on with what it has.
-    pub fn save_settings(&self) -> Result<(), FileError> {
-        save(&self.settings, self.settings_file.as_deref())
+    pub fn save_settings(&mut self) -> Result<(), FileError> {
+        let Some(path) = &self.settings_file else {
+            return Ok(());
+        };
+        let (own, base) = (&self.settings, &self.known.0);
+        let saved = sync(path, |found: Option<Settings>| match found {
+            Some(mut theirs) => {
+                theirs.adopt(base, own);
+                theirs
+            }
+            None => own.clone(),
+        })?;
+        self.known.0 = saved.clone();
+        self.settings = saved;
+        Ok(())
     }
 
-    /// Begins to write what has been reached, beside the game that goes on.
-    ///
-    /// # Errors
-    /// It cannot be told as text. What becomes of the file is [`saved`](Self::saved).
-    pub fn save_progress(&mut self) -> Result<(), FileError> {
-        if let Some(path) = &self.progress_file {
-            let text = text_of(&self.progress, path)?;
-            self.saver.save(path.clone(), text);
+    /// Begins to write what has been reached, here and in other games, beside the game that goes on. While that lasts, what
+    /// is saved next waits.
+    pub fn save_progress(&mut self) {
+        let Some(path) = self.progress_file.clone() else {
+            return;
+        };
+        self.is_waiting = self.saver.is_busy();
+        if self.is_waiting {
+            return;
         }
-        Ok(())
+        self.handed = self.progress.clone();
+        let (own, base) = (self.handed.clone(), self.known.1.clone());
+        self.saver.begin(move || {
+            sync(&path, |found: Option<Progress>| match found {
+                Some(theirs) => Progress::merged(&base, &own, &theirs),
+                None => own,
+            })
+        });
     }
 
     /// What became of the progress that was saved last, once, when it is over.
     pub fn saved(&mut self) -> Option<Saved> {
-        self.saver.outcome()
+        let outcome = self.saver.outcome()?;
+        let saved = self.take(outcome);
+        if self.is_waiting {
+            self.save_progress();
+        }
+        Some(saved)
     }
 
     /// Waits until the progress is saved; what became of it, unless that was told before.
     pub fn settle(&mut self) -> Option<Saved> {
-        self.saver.wait()
+        let mut last = None;
+        while let Some(outcome) = self.saver.wait() {
+            last = Some(self.take(outcome));
+            if std::mem::take(&mut self.is_waiting) {
+                self.save_progress();
+            }
+        }
+        last
     }
+
+    /// Takes over what is in the file now, beside what has been reached since it was handed over.
+    fn take(&mut self, outcome: Result<Progress, FileError>) -> Saved {
+        let saved = outcome?;
+        self.progress = Progress::merged(&self.handed, &self.progress, &saved);
+        self.known.1 = saved;
+        Ok(())
+    }
+}
+
+/// Brings a file up to date in one turn: reads what is there, gives it away, and writes what comes back if that is something
+/// else. A file that is not there, or broken, is nothing.
+fn sync<T: Document + PartialEq>(
+    path: &Path,
+    merge: impl FnOnce(Option<T>) -> T,
+) -> Result<T, FileError> {
+    let folder = path.parent().unwrap_or(Path::new("."));
+    std::fs::create_dir_all(folder)
+        .map_err(|e| FileError::new(path, format!("cannot be saved: {e}")))?;
+    let _turn = Turn::at(folder);
+    let found = match read::<T>(path, &mut Complaints::new()) {
+        Ok(found) => found,
+        Err(Unread::Newer(_)) => {
+            let reason = "was written by a newer game: it is left as it is, and nothing is saved";
+            return Err(FileError::new(path, reason));
+        }
+        Err(Unread::Broken(reason)) => {
+            let aside = set_aside(path);
+            aside.map_err(|e| FileError::new(path, format!("{reason}; it stays ({e})")))?;
+            None
+        }
+    };
+    let before = found.as_ref().map(|found| text_of(found, path));
+    let merged = merge(found);
+    let text = text_of(&merged, path)?;
+    if before.and_then(Result::ok).as_ref() != Some(&text) {
+        saver::write(path, &text)?;
+    }
+    Ok(merged)
+}
+
+/// Why there is nothing of a document.
+enum Unread {
+    /// Its version, which this game does not know.
+    Newer(u32),
+    /// What is wrong.
+    Broken(String),
+}
+
+/// A document from its file, if there is one.
+fn read<T: Document>(path: &Path, complaints: &mut Complaints) -> Result<Option<T>, Unread> {
+    if !path.exists() {
+        return Ok(None);
+    }
+    let broken = |reason: String| Unread::Broken(reason);
+    let text = files::read_text(path).map_err(|e| broken(e.to_string()))?;
+    let Header { version } = ron::from_str(&text).map_err(|e| broken(at(path, &e)))?;
+    if version > T::VERSION {
+        return Err(Unread::Newer(version));
+    }
+    let read = T::read(&text, complaints);
+    read.map(Some).map_err(|e| broken(at(path, &e)))
 }
 
 /// A document from its file, and the file if it may be written.
 fn load<T: Document>(folder: &Path, said: &mut Vec<String>) -> (T, Option<PathBuf>) {
     let path = folder.join(T::FILE);
-    if !path.exists() {
-        return (T::default(), Some(path));
-    }
     let mut complaints = Complaints::new();
-    let read = files::read_text(&path).map_err(|e| e.to_string());
-    let read = read.and_then(|text| {
-        let Header { version } = ron::from_str(&text).map_err(|e| at(&path, &e))?;
-        if version > T::VERSION {
-            return Ok(Err(version));
-        }
-        let read = T::read(&text, &mut complaints);
-        read.map(Ok).map_err(|e| at(&path, &e))
-    });
+    let read = read::<T>(&path, &mut complaints);
     said.extend(complaints.iter().map(|complaint| at(&path, complaint)));
     match read {
-        Ok(Ok(document)) => (document, Some(path)),
-        Ok(Err(version)) => {
+        Ok(document) => (document.unwrap_or_default(), Some(path)),
+        Err(Unread::Newer(version)) => {
             let known = T::VERSION;
             let reason = format!(
                 "is of version {version}, this game knows up to {known}: it is left as it is, and nothing is saved"
@@ -173,13 +270,27 @@ fn load<T: Document>(folder: &Path, said: &mut Vec<String>) -> (T, Option<PathBu
             said.push(at(&path, &reason));
             (T::default(), None)
         }
-        Err(reason) => {
+        Err(Unread::Broken(reason)) => {
             let (kept, may_write) = match set_aside(&path) {
                 Ok(aside) => (format!("kept as {}", aside.display()), true),
                 Err(e) => (format!("it stays, and nothing is saved ({e})"), false),
             };
             said.push(format!("{reason}; {kept}"));
             (T::default(), may_write.then_some(path))
+        }
+    }
+}
+
+/// Removes what games have left that were stopped while they wrote. Only in a turn, when nobody else writes.
+fn remove_halves(folder: &Path) {
+    let is_half = |name: &str| {
+        let mut files = [SETTINGS_FILE, PROGRESS_FILE].into_iter();
+        files.any(|file| name.starts_with(&format!(".{file}.")) && name.ends_with(".tmp"))
+    };
+    for entry in std::fs::read_dir(folder).into_iter().flatten().flatten() {
+        if entry.file_name().to_str().is_some_and(is_half) {
+            // What cannot be removed is in nobody's way.
+            let _ = std::fs::remove_file(entry.path());
         }
     }
 }
@@ -199,12 +310,6 @@ fn set_aside(path: &Path) -> std::io::Result<PathBuf> {
     let aside = free.unwrap_or_else(|| named(MOST_BROKEN));
     std::fs::rename(path, &aside)?;
     Ok(aside)
-}
-
-/// Writes a document, making its folder if need be.
-fn save<T: Document>(document: &T, path: Option<&Path>) -> Result<(), FileError> {
-    let Some(path) = path else { return Ok(()) };
-    saver::write(path, &text_of(document, path)?)
 }
 
 fn text_of<T: Document>(document: &T, path: &Path) -> Result<String, FileError> {

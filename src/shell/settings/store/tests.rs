@@ -59,9 +59,9 @@ fn what_is_saved_is_there_again() {
         deaths: 2,
         ..Run::default()
     };
-    store.progress.note("levels/quarry.ron", run);
+    store.progress.note("levels/quarry.ron", run, 7);
     store.save_settings().unwrap();
-    store.save_progress().unwrap();
+    store.save_progress();
     store.settle().unwrap().unwrap();
     let (again, said) = folder.open();
     assert_eq!(said, [""; 0]);
@@ -71,11 +71,11 @@ fn what_is_saved_is_there_again() {
 
 #[test]
 fn without_a_folder_nothing_is_kept_and_a_missing_one_is_made() {
-    let (store, said) = Store::open(None);
+    let (mut store, said) = Store::open(None);
     assert!(said.is_empty() && store.save_settings().is_ok());
     let folder = Folder::new("missing");
     let deep = folder.0.join("a/b");
-    let (store, said) = Store::open(Some(&deep));
+    let (mut store, said) = Store::open(Some(&deep));
     assert!(said.is_empty());
     store.save_settings().unwrap();
     assert!(deep.join(SETTINGS_FILE).exists());
@@ -86,7 +86,7 @@ fn a_broken_file_is_set_aside_and_told_of() {
     let folder = Folder::new("broken");
     for (number, text) in [(1, "(version: 1, video: (size"), (2, "nonsense"), (3, "")] {
         folder.write(SETTINGS_FILE, text);
-        let (store, said) = folder.open();
+        let (mut store, said) = folder.open();
         assert_eq!(store.settings, Settings::default());
         let aside = format!("{SETTINGS_FILE}.broken-{number}");
         assert!(said.len() == 1 && said[0].contains(&aside), "{said:?}");
@@ -112,7 +112,7 @@ fn a_newer_file_is_left_alone() {
         "{said:?}"
     );
     store.save_settings().unwrap();
-    store.save_progress().unwrap();
+    store.save_progress();
     assert!(store.settle().is_none(), "nothing was to be written");
     assert_eq!(
         [folder.read(SETTINGS_FILE), folder.read(PROGRESS_FILE)],
@@ -185,11 +185,115 @@ fn times_that_are_none_are_left_out() {
 fn what_cannot_be_written_says_so() {
     let folder = Folder::new("blocked");
     folder.write("file", "");
-    let (store, said) = Store::open(Some(&folder.0.join("file")));
+    let (mut store, said) = Store::open(Some(&folder.0.join("file")));
     assert!(said.is_empty());
     let error = store.save_settings().unwrap_err().to_string();
     assert!(
         error.contains(SETTINGS_FILE) && error.contains("cannot be saved"),
         "{error}"
+    );
+}
+
+/// Each game keeps what it has changed itself; what it has not, as the other one left it.
+#[test]
+fn two_games_keep_what_each_has_changed() {
+    let folder = Folder::new("both");
+    let (mut one, mut two) = (folder.open().0, folder.open().0);
+    one.settings.audio.music = 10;
+    one.settings.video.vsync = false;
+    one.save_settings().unwrap();
+    two.settings.audio.effects = 20;
+    two.settings.video.vsync = true; // as it was
+    two.save_settings().unwrap();
+    let (both, _) = folder.open();
+    let audio = &both.settings.audio;
+    assert_eq!(
+        (audio.music, audio.effects, both.settings.video.vsync),
+        (10, 20, false)
+    );
+    one.settings.audio.effects = 30;
+    one.save_settings().unwrap();
+    two.settings.audio.music = 40;
+    two.save_settings().unwrap();
+    let audio = folder.open().0.settings.audio;
+    assert_eq!(
+        (audio.music, audio.effects),
+        (40, 30),
+        "the last writer of each"
+    );
+}
+
+/// What was reached while a save was under way, and what other games have reached, is counted once.
+#[test]
+fn what_two_games_reach_is_counted_once() {
+    let folder = Folder::new("counted");
+    let (mut one, mut two) = (folder.open().0, folder.open().0);
+    let run = |seconds: f64| Run {
+        seconds,
+        ..Run::default()
+    };
+    for round in 0..10 {
+        for game in [&mut one, &mut two] {
+            game.progress.finish("a", &run(50.0 - f64::from(round)), 0);
+            game.save_progress();
+            game.progress.finish("a", &run(90.0), 0); // while the last is being written, or was just
+            game.save_progress();
+        }
+        let _ = (one.saved(), two.saved());
+    }
+    for game in [&mut one, &mut two] {
+        game.settle().map(Result::unwrap);
+        game.save_progress();
+        game.settle().unwrap().unwrap();
+    }
+    let record = &folder.open().0.progress.levels["a"];
+    assert_eq!((record.finished, record.best_seconds), (40, Some(41.0)));
+    assert_eq!(
+        &two.progress.levels["a"], record,
+        "who saved last knows all"
+    );
+}
+
+/// A file that went bad or newer while the game was running.
+#[test]
+fn what_has_become_of_a_file_meanwhile_is_looked_at() {
+    let folder = Folder::new("meanwhile");
+    let mut store = folder.open().0;
+    store.progress.finish("a", &Run::default(), 0);
+    folder.write(PROGRESS_FILE, "half of a fi");
+    store.save_progress();
+    store.settle().unwrap().unwrap();
+    assert_eq!(folder.read("progress.ron.broken-1"), "half of a fi");
+    assert!(folder.read(PROGRESS_FILE).contains("finished: 1"));
+    folder.write(PROGRESS_FILE, "(version: 9, new: true)");
+    store.save_progress();
+    let why = store.settle().unwrap().unwrap_err().to_string();
+    assert!(why.contains("newer game"), "{why}");
+    assert_eq!(folder.read(PROGRESS_FILE), "(version: 9, new: true)");
+    fs::remove_file(folder.0.join(PROGRESS_FILE)).unwrap();
+    store.save_progress();
+    store.settle().unwrap().unwrap();
+    assert!(folder.read(PROGRESS_FILE).contains("finished: 1"));
+}
+
+/// Progress that older games have written is still read.
+#[test]
+fn what_older_games_have_written_is_read() {
+    let folder = Folder::new("older");
+    folder.write(
+        PROGRESS_FILE,
+        "(version: 1, last: Some(\"a\"), levels: {\"a\": (run: Some((checkpoint: Some(\"gate\"), seconds: 4.5, \
+         deaths: 2, secrets: [\"cave\"])), best_seconds: Some(9.5), fewest_deaths: Some(1), most_secrets: 3, finished: 2)})",
+    );
+    let (mut store, said) = folder.open();
+    assert_eq!(said, [""; 0]);
+    assert_eq!(store.progress.unfinished().unwrap().1.deaths, 2);
+    store.progress.finish("a", &Run::default(), 0);
+    store.save_progress();
+    store.settle().unwrap().unwrap();
+    let record = &folder.open().0.progress.levels["a"];
+    assert_eq!(
+        (record.finished, record.most_secrets, &record.run),
+        (3, 3, &None)
     );
 }
