@@ -337,15 +337,47 @@ mod window {
             if let Some(driver) = driver {
                 command.env("SDL_VIDEODRIVER", driver);
             }
-            expect(command, 1, &["display"]);
+            expect(command, 1, &["display", "DISPLAY is not set", OFFSCREEN]);
         }
+        let mut command = program(FLAT);
+        command
+            .env_remove("WAYLAND_DISPLAY")
+            .env_remove("SDL_VIDEODRIVER")
+            .env("DISPLAY", ":7777");
+        expect(command, 1, &["display", "DISPLAY is `:7777`", OFFSCREEN]);
     }
+
+    const OFFSCREEN: &str = "SDL_VIDEODRIVER=offscreen plays unseen";
 
     #[test]
     fn without_opengl_3_3_there_is_a_message_and_no_game() {
         let mut command = program(FLAT);
         command.env("MESA_GL_VERSION_OVERRIDE", "2.1");
-        expect(command, 1, &["OpenGL 3.3"]);
+        expect(command, 1, &["OpenGL 3.3", "LIBGL_ALWAYS_SOFTWARE=1"]);
+    }
+
+    /// Without sound the game goes on, and says so where it was started.
+    #[test]
+    fn without_sound_there_is_a_message_and_a_game() {
+        let measured = ["--bench-frames", "2", "--size", "64x64", "--preset", "low"];
+        let run = |driver: &str| {
+            let mut command = program(FLAT);
+            command.args(measured).env("SDL_AUDIODRIVER", driver);
+            command.output().unwrap()
+        };
+        let said = |driver: &str| {
+            let Output { status, stderr, .. } = run(driver);
+            let text = String::from_utf8(stderr).unwrap();
+            assert!(status.success(), "{text}");
+            text
+        };
+        assert_eq!(said("dummy"), "");
+        let deaf = said("no-such-driver");
+        assert!(
+            deaf.starts_with("edgewalker: No sound: ") && deaf.lines().count() == 1,
+            "{deaf}"
+        );
+        assert!(deaf.ends_with("the game goes on without it\n"), "{deaf}");
     }
 
     #[test]

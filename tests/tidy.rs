@@ -17,12 +17,13 @@ const SHELL_CRATES: [&str; 5] = [
     "imgui_glow_renderer",
 ];
 
-/// The files of the program that may hold unsafe code, and two of tests: an allocator that watches the system's, and a call of
-/// what `sdl2` does not wrap.
-const UNSAFE_FILES: [&str; 5] = [
+/// The files of the program that may hold unsafe code, to call OpenGL and the library that talks to X servers, and two of
+/// tests: an allocator that watches the system's, and a call of what `sdl2` does not wrap.
+const UNSAFE_FILES: [&str; 6] = [
     "src/shell/render/gl.rs",
     "src/shell/render/gl/crowd.rs",
     "src/shell/render/gl/pixels.rs",
+    "src/shell/xlib.rs",
     "tests/shell/heap.rs",
     "tests/shell/virtual_pad.rs",
 ];

@@ -1,6 +1,6 @@
 //! The shell: window, input, picture, overlay. Everything that needs SDL2, OpenGL or ImGui is in this folder.
 //!
-//! In reading order: [`app`] (the frame, as a sequence), `picture` (what it shows), [`platform`] (the window),
+//! In reading order: [`app`] (the frame, as a sequence), `picture` (what it shows), [`platform`] (the window), `xlib` (what X servers complain of),
 //! [`input`] and [`pads`] (devices), [`clock`] (time to ticks), [`runs`] (from player or replay, recorded or not),
 //! [`log`] (a run's inputs as they come), [`guard`] (what is left of it if the game fails), [`play`] (a world being
 //! played), [`edits`] (what the overlay may ask for), [`reload`] (files that change), [`levels`] (those to choose from),
@@ -42,6 +42,7 @@ pub mod settings;
 mod shots;
 mod sounds;
 pub mod text;
+mod xlib;
 
 use crate::cli::files::FileError;
 use crate::cli::load::LoadError;

@@ -1,5 +1,6 @@
 //! What the player must be told: problems that last until they are solved, and short notices that fade.
 
+use crate::cli::terminal;
 use std::time::Duration;
 
 /// How long a notice stays.
@@ -69,10 +70,14 @@ pub struct Notices {
 }
 
 impl Notices {
-    /// A problem that lasts, in place of the last one about this topic.
+    /// A problem that lasts, in place of the last one about this topic. It is said in the terminal too, once.
     pub fn fail(&mut self, topic: Topic, reason: impl ToString) {
+        let problem = (topic, reason.to_string());
+        if !self.problems.contains(&problem) {
+            terminal::say(format!("{}; {}", problem.1, topic.remedy()));
+        }
         self.solve(topic);
-        self.problems.push((topic, reason.to_string()));
+        self.problems.push(problem);
     }
 
     /// There is no problem with this topic any more.

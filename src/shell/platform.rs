@@ -1,7 +1,7 @@
 //! The window, its OpenGL context and SDL's subsystems; the only place that opens them.
 
 use super::ShellError;
-use super::render;
+use super::{render, xlib};
 use glow::HasContext;
 use sdl2::event::EventSender;
 use sdl2::video::{FullscreenType, GLContext, GLProfile, SwapInterval, Window};
@@ -16,6 +16,9 @@ const SIZE: (u32, u32) = (1280, 720);
 /// Drivers without a picture, which SDL may fall back to; only who names them wants them.
 const INVISIBLE: &[&str] = &["offscreen", "dummy", "evdev"];
 const DRIVER_VARIABLE: &str = "SDL_VIDEODRIVER";
+/// What helps where OpenGL is too old or does not work.
+const SOFTWARE: &str = "A newer driver of the graphics card may have it. With Mesa LIBGL_ALWAYS_SOFTWARE=1 draws without the \
+                        card, slowly";
 /// Displays that do not tell their rate are taken for common ones.
 const COMMON_RATE: i32 = 60;
 
@@ -56,10 +59,11 @@ impl Platform {
     pub fn open(options: &WindowOptions) -> Result<Platform, ShellError> {
         let failed = |what: &str, e: String| ShellError::Platform(format!("{what}: {e}"));
         let sdl = sdl2::init().map_err(|e| failed("cannot start SDL", e))?;
-        let video = sdl
-            .video()
-            .map_err(|e| failed("no display to open a window on", e))?;
+        let video = sdl.video().map_err(|e| no_display(&e))?;
         refuse_invisible(video.current_video_driver())?;
+        if video.current_video_driver() == xlib::DRIVER {
+            xlib::listen();
+        }
         let (window, context) = open_window(&video, options)?;
         let gl = Rc::new(render::load(|name| video.gl_get_proc_address(name).cast()));
         check_version(&gl)?;
@@ -175,14 +179,25 @@ impl Platform {
     }
 }
 
+/// What to do without a display.
+fn no_display(reason: &str) -> ShellError {
+    let named = |name: &str| match std::env::var(name) {
+        Ok(value) => format!("{name} is `{value}`"),
+        Err(_) => format!("{name} is not set"),
+    };
+    ShellError::Platform(format!(
+        "no display to open a window on: {reason}. {}, {}. Start it from a desktop; without one, \
+         {DRIVER_VARIABLE}=offscreen plays unseen, and --headless --replay FILE plays a recorded run",
+        named("DISPLAY"),
+        named("WAYLAND_DISPLAY"),
+    ))
+}
+
 /// SDL falls back to drivers without a picture silently; a player would see nothing at all.
 fn refuse_invisible(driver: &str) -> Result<(), ShellError> {
     let asked = std::env::var(DRIVER_VARIABLE).unwrap_or_default();
     if INVISIBLE.contains(&driver) && !asked.split(',').any(|name| name == driver) {
-        return Err(ShellError::Platform(format!(
-            "no display to open a window on: SDL offers only its invisible driver `{driver}` \
-             (set {DRIVER_VARIABLE}={driver} to use that)"
-        )));
+        return Err(no_display("none was found"));
     }
     Ok(())
 }
@@ -200,7 +215,7 @@ fn open_window(
     attributes.set_depth_size(0);
     try_window(video, options).map_err(|error| {
         ShellError::Platform(format!(
-            "no window with OpenGL 3.3, which the game needs: {error}"
+            "no window with OpenGL 3.3, which the game needs ({error}). {SOFTWARE}"
         ))
     })
 }
@@ -231,7 +246,7 @@ fn check_version(gl: &glow::Context) -> Result<(), ShellError> {
     let version = gl.version();
     if (version.major, version.minor) < (3, 3) || version.is_embedded {
         return Err(ShellError::Platform(format!(
-            "the game needs OpenGL 3.3, the driver offers {}.{} {}",
+            "the game needs OpenGL 3.3, the driver offers {}.{} {}. {SOFTWARE}",
             version.major, version.minor, version.vendor_info
         )));
     }

@@ -5,6 +5,7 @@ use super::audio::{Audio, Volumes};
 use super::menu::MenuEvent;
 use super::notices::Topic;
 use super::settings::Settings;
+use crate::cli::terminal;
 use crate::sound::{Ear, Sound};
 use std::time::Duration;
 
@@ -35,7 +36,11 @@ impl App {
     pub(super) fn open_audio(&mut self) {
         match self.platform.audio().and_then(Audio::open) {
             Ok(audio) => self.audio = audio,
-            Err(reason) => self.notices.say(format!("No sound: {reason}")),
+            Err(reason) => {
+                let said = format!("No sound: {reason}");
+                terminal::say(format!("{said}; the game goes on without it"));
+                self.notices.say(said);
+            }
         }
         self.apply_volumes();
     }

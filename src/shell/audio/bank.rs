@@ -31,6 +31,12 @@ impl Bank {
     /// Decodes everything in a folder.
     pub fn load_from(folder: &Path) -> Bank {
         let mut bank = Bank::default();
+        if let Err(error) = std::fs::read_dir(folder) {
+            // Said once, not of each file in it.
+            let reason = format!("cannot be read: {error}");
+            bank.problems.push(FileError::new(folder, reason));
+            return bank;
+        }
         for sound in Sound::ALL {
             let all = (0..sound.variants()).map(|variant| folder.join(sound.file(variant)));
             let decoded = all.map(|path| bank.keep(decode::decode(&path))).collect();
@@ -64,5 +70,21 @@ impl Bank {
     /// A loop.
     pub fn looped(&self, which: Loop) -> Option<&Frames> {
         self.loops.get(which as usize)?.as_ref()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_folder_that_is_missing_is_told_once() {
+        let bank = Bank::load_from(Path::new("no/such/folder"));
+        let told: Vec<String> = bank.problems.iter().map(ToString::to_string).collect();
+        assert!(
+            matches!(told.as_slice(), [one] if one.starts_with("no/such/folder: cannot be read")),
+            "{told:?}"
+        );
+        assert!(bank.sound(Sound::StepRock, 0).is_none() && bank.looped(Loop::Belt).is_none());
     }
 }

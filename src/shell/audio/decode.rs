@@ -227,7 +227,7 @@ pub fn decode_loop(path: &Path) -> Result<Vec<Frame>, FileError> {
 /// As [`Reader::open`] and [`Reader::read`].
 pub fn decode_as_played(path: &Path) -> Result<Vec<Frame>, FileError> {
     let is_named = |name: &str| path.file_name().is_some_and(|file| file == name);
-    let is_layer = |piece: Piece| Layer::ALL.iter().any(|&l| is_named(&piece.file(l)));
+    let is_layer = |piece: Piece| Layer::ALL.iter().any(|&l| is_named(piece.file(l)));
     let is_loop = Loop::ALL.iter().any(|which| is_named(which.file()));
     match is_loop || Piece::ALL.iter().copied().any(is_layer) {
         true => decode_loop(path),

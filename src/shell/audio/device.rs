@@ -6,6 +6,7 @@ use kira::backend::{Backend, Renderer};
 use sdl2::AudioSubsystem;
 use sdl2::audio::{AudioCallback, AudioDevice, AudioSpecDesired};
 use std::convert::Infallible;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::Ordering;
 
 /// Samples that the device asks for at a time: 11 ms.
@@ -16,14 +17,37 @@ const CHANNELS: u8 = 2;
 struct Player {
     renderer: Renderer,
     clock: Clock,
+    /// The mixer has failed: it is silent from then on, since what called it is not of Rust and cannot be unwound.
+    has_failed: bool,
+}
+
+impl Player {
+    fn new(renderer: Renderer, clock: Clock) -> Player {
+        Player {
+            renderer,
+            clock,
+            has_failed: false,
+        }
+    }
+}
+
+fn mix(mut renderer: AssertUnwindSafe<&mut Renderer>, out: AssertUnwindSafe<&mut [f32]>) {
+    renderer.on_start_processing();
+    renderer.process(out.0, CHANNELS.into());
 }
 
 impl AudioCallback for Player {
     type Channel = f32;
 
     fn callback(&mut self, out: &mut [f32]) {
-        self.renderer.on_start_processing();
-        self.renderer.process(out, CHANNELS.into());
+        if !self.has_failed {
+            let renderer = AssertUnwindSafe(&mut self.renderer);
+            let block = AssertUnwindSafe(&mut *out);
+            self.has_failed = catch_unwind(move || mix(renderer, block)).is_err();
+        }
+        if self.has_failed {
+            out.fill(0.0);
+        }
         let frames = out.len() / usize::from(CHANNELS);
         self.clock
             .played
@@ -61,7 +85,7 @@ impl Backend for Device {
         // What the device cannot do, SDL converts.
         let device = self
             .audio
-            .open_playback(None, &wanted, |_| Player { renderer, clock })?;
+            .open_playback(None, &wanted, |_| Player::new(renderer, clock))?;
         device.resume();
         self.device = Some(device);
         Ok(())
@@ -90,7 +114,7 @@ impl Backend for Tape {
 
     fn start(&mut self, renderer: Renderer) -> Result<(), Infallible> {
         let clock = self.clock.clone();
-        self.player = Some(Player { renderer, clock });
+        self.player = Some(Player::new(renderer, clock));
         Ok(())
     }
 }
