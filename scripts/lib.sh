@@ -30,6 +30,16 @@ package_names() {
         apt-get:compiler) echo g++ ;;
         apt-get:sdl2) echo libsdl2-dev ;;
         *:valgrind) echo valgrind ;;
+        brew:python) echo python ;;
+        pacman:python) echo python ;;
+        *:python) echo python3 ;;
+        apt-get:xvfb) echo xvfb ;;
+        dnf:xvfb) echo xorg-x11-server-Xvfb ;;
+        pacman:xvfb) echo xorg-server-xvfb ;;
+        zypper:xvfb) echo xorg-x11-server-Xvfb ;;
+        *:xdotool) echo xdotool ;;
+        dnf:imagemagick | zypper:imagemagick) echo ImageMagick ;;
+        *:imagemagick) echo imagemagick ;;
         apt-get:opengl) echo libegl1 libgl1-mesa-dri ;;
         apt-get:blender) echo libxi6 libxxf86vm1 libxfixes3 libxrender1 libgl1 libsm6 libxkbcommon0 ;;
         dnf:compiler) echo gcc-c++ ;;
@@ -54,6 +64,10 @@ have() {
     case "$1" in
         compiler) have_commands cc c++ ;;
         valgrind) have_commands valgrind ;;
+        python) have_commands python3 ;;
+        xvfb) have_commands Xvfb xvfb-run ;;
+        xdotool) have_commands xdotool ;;
+        imagemagick) have_commands import ;;
         sdl2) links_with -lSDL2 ;;
         # What Blender as a module links with, even without a window.
         blender) [[ "$(uname)" == Darwin ]] || { links_with -l:libXi.so.6 && links_with -l:libSM.so.6 && links_with -l:libxkbcommon.so.0; } ;;
@@ -165,4 +179,46 @@ need_component() {
     cargo "$2" --version >/dev/null 2>&1 && return
     command -v rustup >/dev/null || die "cargo $2 is missing: install the $1 package that belongs to your Rust"
     rustup component add "$1"
+}
+
+# with_rust VERSION COMMAND...: runs a command with a Rust of just that age: the usual one if it is, else rustup's.
+with_rust() {
+    local wanted="$1" toolchain
+    shift
+    if [[ "$(cargo --version)" == "cargo $wanted".* ]]; then
+        "$@"
+        return
+    fi
+    command -v rustup >/dev/null || die "Rust $wanted is needed for: $*. Get rustup from https://rustup.rs"
+    toolchain="$(rustup toolchain list | sed -n "s/^\($wanted[.-][^ ]*\).*/\1/p" | head -n 1)"
+    if [[ -z "$toolchain" ]]; then
+        toolchain="$wanted"
+        rustup toolchain install "$toolchain" --profile minimal --component clippy || die "no Rust $wanted for: $*"
+    fi
+    rustup run "$toolchain" "$@"
+}
+
+# What the checks of a script have come to.
+report=()
+failures=0
+
+# step TITLE COMMAND...: runs a command; its failure is counted, and the next step runs all the same.
+step() {
+    local title="$1" start=$SECONDS verdict=ok
+    shift
+    say "$title: $*"
+    "$@" || verdict=FAILED
+    [[ $verdict == ok ]] || failures=$((failures + 1))
+    report+=("$(printf '%-7s %4d s  %s' "$verdict" $((SECONDS - start)) "$title")")
+}
+
+# summary: says how each step went; fails if one did.
+summary() {
+    say "summary, after $SECONDS s"
+    printf '%s\n' "${report[@]}"
+    if [[ $failures -gt 0 ]]; then
+        say "$failures of ${#report[@]} checks failed"
+        exit 1
+    fi
+    say "all ${#report[@]} checks passed"
 }
