@@ -14,12 +14,13 @@ use xxhash_rust::xxh3::xxh3_64;
 /// A level made ready to play.
 ///
 /// Features have numbers: those of the level as listed there, then those of the movers, then the goal box, then the *pit*, all
-/// of the world below the level's bottom, then whatever [`Stage::edit`] puts in. A number is never used again.
+/// of the world below the level's bottom and beyond its sides, and the *sky*, all above it, then whatever [`Stage::edit`]
+/// puts in. A number is never used again.
 #[derive(Clone, Debug)]
 pub struct Stage {
     /// The level, as it was loaded.
     pub level: Level,
-    /// By number; `None` once it is gone, and for the pit, which nobody has drawn.
+    /// By number; `None` once it is gone, and for the pit and the sky, which nobody has drawn.
     features: Vec<Option<Feature>>,
     /// The number of the pit.
     pit: FeatureId,
@@ -130,15 +131,17 @@ impl Stage {
             next += mover.features.len();
             numbered[first..next].to_vec()
         });
-        let (pit, below) = (features.len() as FeatureId, pit(&level));
+        let pit = features.len() as FeatureId;
+        let beyond = [pit_of(&level), sky()];
+        let outside = (pit..).zip(beyond.iter().cloned());
         let plan = Plan {
             movers: movers.collect(),
             still: [&numbered[..still], &numbered[features.len() - 1..]].concat(),
             // After the rest, so that what the mesh takes for the usual size of things is that of the level.
-            changes: vec![(None, Some((pit, below.clone())))],
+            changes: outside.map(|feature| (None, Some(feature))).collect(),
         };
         let routes: Vec<Route> = level.movers.iter().map(|m| Route::of(m, &level)).collect();
-        let mut traits: Vec<Traits> = features.iter().chain([&below]).map(traits).collect();
+        let mut traits: Vec<Traits> = features.iter().chain(&beyond).map(traits).collect();
         for (route, own) in routes.iter().zip(&plan.movers) {
             for (id, _) in own {
                 traits[*id as usize].minds_riders = route.minds_riders();
@@ -146,7 +149,7 @@ impl Stage {
         }
         let stage = Stage {
             traits,
-            features: features.into_iter().map(Some).chain([None]).collect(),
+            features: features.into_iter().map(Some).chain([None, None]).collect(),
             pit,
             turns: routes.iter().any(Route::turns),
             minds_riders: routes.iter().any(Route::minds_riders),
@@ -223,7 +226,12 @@ impl Stage {
     /// Whether it kills the hero to be in the region with a number.
     pub fn kills(&self, id: FeatureId) -> bool {
         let is_hazard = |feature: &Feature| feature.kind == Kind::Hazard;
-        id == self.pit || self.feature(id).is_some_and(is_hazard)
+        self.is_outside(id) || self.feature(id).is_some_and(is_hazard)
+    }
+
+    /// Whether to be in the region with a number is to have fallen out of the level: in the pit or in the sky.
+    pub fn is_outside(&self, id: FeatureId) -> bool {
+        id == self.pit || id == self.pit + 1
     }
 
     /// The number of the pit.
@@ -354,15 +362,37 @@ fn goal_box(level: &Level) -> Feature {
     }
 }
 
-/// The place below the level's bottom, to the borders of the world: who comes into it with his foot has fallen out.
-fn pit(level: &Level) -> Feature {
-    let (end, top) = (f64::from(BOUND - 2) * STEP, level.bottom);
+/// How far from the origin, to the sides and up, the world of every level ends, m: beyond all that can be drawn, and before the
+/// border of the mesh, which stops who comes there.
+pub const WORLD: f64 = 4032.0;
+
+/// Where the mesh ends, m.
+const END: f64 = (BOUND - 2) as f64 * STEP;
+
+/// The place below the level's bottom and beyond its sides, to the borders of the mesh: who comes into it with his foot has fallen out.
+fn pit_of(level: &Level) -> Feature {
+    outside(&[
+        (-END, -END),
+        (END, -END),
+        (END, END),
+        (WORLD, END),
+        (WORLD, level.bottom),
+        (-WORLD, level.bottom),
+        (-WORLD, END),
+        (-END, END),
+    ])
+}
+
+/// The place above all levels.
+fn sky() -> Feature {
+    outside(&[(-WORLD, WORLD), (WORLD, WORLD), (WORLD, END), (-WORLD, END)])
+}
+
+fn outside(outline: &[(f64, f64)]) -> Feature {
     Feature {
         kind: Kind::Hazard,
         by: Some(By::Foot),
-        outline: [(-end, -end), (end, -end), (end, top), (-end, top)]
-            .map(DVec2::from)
-            .to_vec(),
+        outline: outline.iter().copied().map(DVec2::from).collect(),
         ..Feature::default()
     }
 }

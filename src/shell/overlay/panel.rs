@@ -233,6 +233,7 @@ fn named(world: &World, kind: &EventKind) -> String {
     let region = |id: &u32| match stage.feature(*id) {
         Some(feature) => feature.id.as_str(),
         None if *id == stage.pit() => "the pit",
+        None if stage.is_outside(*id) => "the sky",
         None => "?",
     };
     let mover = |i: &u32| stage.level.movers.get(*i as usize).map_or("?", |m| &m.id);
