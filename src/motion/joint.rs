@@ -6,11 +6,11 @@ use super::grip::Grip;
 use super::terrain::{Concave, Ground, Terrain};
 use super::track::{Track, cross, dot};
 use super::vertex::{
-    Bearing, Heading, JOINT_STEPS, Sector, ahead, behind, bridge, is_lip, sector, segment_at,
-    surface_next, turns_towards,
+    Bearing, Heading, JOINT_STEPS, Sector, ahead, behind, bridge, is_lip, past_lips, sector,
+    segment_at, surface_next, turns_towards,
 };
 use crate::geom::STEP;
-use crate::mesh::{EdgeId, Segment, SegmentId};
+use crate::mesh::{EdgeId, Segment, SegmentId, Source};
 use crate::tune::Motion;
 use glam::DVec2;
 
@@ -214,6 +214,7 @@ impl Body {
         if let Some(ground) = self.ground_ahead(&joint, onward.as_ref(), terrain) {
             return self.walk_on(joint, ground, terrain, trace);
         }
+        let bump = onward.as_ref().is_some_and(|on| is_bump(&joint, on, mesh));
         match onward {
             _ if joint.is_end(onward.as_ref()) && self.is_brought_back(&joint, terrain) => {
                 self.stop(&joint, onward.as_ref(), trace, mesh);
@@ -221,7 +222,8 @@ impl Body {
             Some(on) if !on.towards => self.leave_or_snap(joint, Some(&on), terrain, trace),
             None if joint.next.is_none() => self.leave_or_snap(joint, None, terrain, trace),
             Some(on)
-                if keeps(&joint, &on, false, mesh, terrain)
+                if !bump
+                    && keeps(&joint, &on, false, mesh, terrain)
                     && climbs(joint.speed, t)
                     && self.squeezes(&on, joint.speed, terrain).is_some() =>
             {
@@ -231,7 +233,7 @@ impl Body {
                 self.squeeze(joint, on, terrain, trace)
             }
             Some(_) if self.step_up(&joint, terrain, trace) => {}
-            Some(on) if climbs(joint.speed * on.cosine, t) => {
+            Some(on) if !bump && climbs(joint.speed * on.cosine, t) => {
                 let up = joint.speed * on.cosine;
                 let (u, into) = (on.sign * up, joint.lost(up));
                 self.settle(on.segment, on.edge, on.start, u, into, terrain, trace);
@@ -436,6 +438,22 @@ impl Body {
             self.stop(&joint, Some(&on), trace, mesh);
         }
     }
+}
+
+/// Whether a walker comes to the corner of a step, which the bevelled flank of his own foot would slide up: to him it is a wall.
+/// Not the lip that rounding leaves of such a flank at the foot of a slope.
+fn is_bump(joint: &Joint, on: &Onward, mesh: Ground) -> bool {
+    if !on.towards {
+        return false;
+    }
+    let home = mesh.origin(joint.beside);
+    let edge = past_lips(mesh, home, on.edge, joint.heading);
+    let Some(s) = edge.and_then(|e| segment_at(mesh, e, |s| s == on.segment)) else {
+        return false;
+    };
+    let after = joint.onto(mesh, on.edge, s).after;
+    let is_flank = matches!(mesh.segment(s).source, Source::Corner { .. });
+    is_flank && !mesh.walkable(s) && after.1 > 0 && after.0 as f64 * joint.forward() > 0.0
 }
 
 /// Whether the speed round a concave joint is kept and not projected: as the two features say, else `otherwise`. A turn of a

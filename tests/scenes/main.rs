@@ -3,13 +3,16 @@
 //! (13/32, 29/32) whose reference point is the middle of its foot.
 
 mod build;
+mod bumps;
 mod degenerate;
 mod edits;
 mod found;
 mod ground;
+mod ladder_ends;
 mod ladders;
 mod ledges;
 mod lips;
+mod low_ledges;
 mod movers;
 mod moving;
 mod moving_ladders;
