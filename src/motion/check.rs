@@ -9,8 +9,8 @@ use crate::geom::STEP;
 use crate::mesh::{EdgeId, FeatureId, SegmentId};
 
 /// Checks I1 (the place is free, and an airborne position is in it), I2 (the surface's edge exists, blocks, carries the
-/// feature edge, the parameter is on it, the road is its own, and a limit of the speed lies ahead; who holds on is upright
-/// on a wall, and at rest if it hangs), I3 (all numbers are
+/// feature edge, the parameter is on it, the road is its own, and a limit of the speed lies ahead; who holds on is upright,
+/// unless it climbs over a ledge, on a wall, and at rest if it hangs), I3 (all numbers are
 /// finite) and I5 (the events of the step are bounded).
 ///
 /// # Errors
@@ -176,7 +176,8 @@ fn holds_on(body: &Body, mesh: Ground) -> Result<(), String> {
         Grip::Wall => false,
     };
     let on_wall = mesh.is_wall(on.segment);
-    if broken || on.grip != Grip::None && (body.size() != Size::Stand || !on_wall) {
+    let stoops = body.size() != Size::Stand && on.grip != Grip::Over;
+    if broken || on.grip != Grip::None && (stoops || !on_wall) {
         return Err(format!("I2: cannot hold on like this: {on:?}"));
     }
     Ok(())

@@ -1,15 +1,17 @@
 //! Holding on: hanging from a ledge, climbing up onto it, climbing walls that can be climbed.
 //!
 //! A grip belongs to the body's place on a wall and ends with it. While it lasts there is no gravity: the speed along the
-//! wall is driven to the wished one, and nothing else moves the body. Crouched bodies hold on to nothing.
+//! wall is driven to the wished one, and nothing else moves the body. Crouched bodies hold on to nothing, but one who climbs onto
+//! a ledge with room for no more does so crouched.
 
 use super::body::{Body, Control, EventKind, Mode, Next, Size, Surface, Trace};
 use super::joint::{Joint, Onward};
 use super::law::Law;
-use super::ledge::{Beyond, beyond, top_above};
+use super::ledge::{Beyond, Top, beyond, top_above};
+use super::size::piece_at;
 use super::terrain::{Ground, Terrain};
 use crate::geom::STEP;
-use crate::mesh::EdgeId;
+use crate::mesh::{EdgeId, Segment, SegmentId};
 use crate::tune::Motion;
 use serde::{Deserialize, Serialize};
 
@@ -66,6 +68,7 @@ impl Body {
         match self.grip() {
             Grip::Ledge if climbs => {
                 self.pressed_at = None;
+                self.crouch_under_roof(terrain, trace);
                 self.hold_on(Grip::Over, EventKind::Climbed, trace);
             }
             Grip::None if self.reaches_for_wall(terrain) && self.is_at_climbable(terrain) => {
@@ -186,11 +189,57 @@ impl Body {
         let (mesh, t) = (self.ground(terrain), terrain.tuning);
         let s = on.parameter(self.time);
         let highest = s + reach + t.ledge_hang;
-        let top = on
-            .is_upright()
-            .then(|| top_above(mesh, on.edge, &on.track, highest))??;
+        if !on.is_upright() {
+            return None;
+        }
+        let top = top_above(mesh, on.edge, &on.track, highest);
+        let top = top.or_else(|| self.top_for_crouched(on, highest, terrain))?;
         let hang = top.height - t.ledge_hang;
         (hang <= s + reach).then_some(hang)
+    }
+
+    /// The same place on the same wall for one who crouches: the edge of that mesh and its feature edge.
+    fn on_wall_crouched(&self, on: &Surface, terrain: &Terrain) -> Option<(EdgeId, SegmentId)> {
+        let [high, low] =
+            [self.size, Size::Crouch].map(|s| terrain.ground_under(self.carrier(), s));
+        let Segment {
+            feature, source, ..
+        } = *high.segment(on.segment);
+        let segment = low.segment_of(feature, source)?;
+        if !low.track(segment).same_line(&on.track) {
+            return None;
+        }
+        let edge = piece_at(low, segment, on.parameter(self.time), &on.track, None)?;
+        Some((edge, segment))
+    }
+
+    /// The ground on top of the wall for one who crouches: where one who stands upright finds none, there may be room for him.
+    fn top_for_crouched(&self, on: &Surface, highest: f64, terrain: &Terrain) -> Option<Top> {
+        let (edge, _) = self.on_wall_crouched(on, terrain)?;
+        let low = terrain.ground_under(self.carrier(), Size::Crouch);
+        top_above(low, edge, &on.track, highest)
+    }
+
+    /// Hanging from a ledge with room for no more: crouches, at that place.
+    fn crouch_under_roof(&mut self, terrain: &Terrain, trace: &mut Trace) {
+        let Mode::Surface(on) = &self.mode else {
+            return;
+        };
+        let highest = on.s0 + STEP + terrain.tuning.ledge_hang;
+        if top_above(self.ground(terrain), on.edge, &on.track, highest).is_some() {
+            return;
+        }
+        let Some(place) = self.on_wall_crouched(on, terrain) else {
+            return;
+        };
+        self.follow(terrain);
+        if let (true, Mode::Surface(on)) = (self.fits_beside(Size::Crouch, terrain), &mut self.mode)
+        {
+            (on.edge, on.segment) = place;
+            self.take_places(Size::Crouch, terrain);
+            self.size = Size::Crouch;
+            self.log(EventKind::Resized(Size::Crouch), trace);
+        }
     }
 
     /// A slide down past the height of the feet of one who hangs takes hold there, if that comes first.

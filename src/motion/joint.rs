@@ -388,7 +388,10 @@ impl Body {
         trace: &mut Trace,
     ) {
         let mesh = self.ground(terrain);
-        let blocks = onward.as_ref().is_none_or(|on| on.towards);
+        // At the free end of a one-way nothing is in the way.
+        let blocks = onward
+            .as_ref()
+            .map_or(joint.next.is_some(), |on| on.towards);
         if blocks && self.is_pressed_at_joint(terrain, trace) {
             return self.squeeze(joint, onward, terrain, trace);
         }
@@ -399,7 +402,10 @@ impl Body {
             return;
         }
         let Some(on) = onward else {
-            return self.stop(&joint, None, trace, mesh);
+            return match joint.next {
+                None => self.leave(joint, None, terrain, trace),
+                Some(_) => self.stop(&joint, None, trace, mesh),
+            };
         };
         if !on.towards {
             return self.leave(joint, Some(on.edge), terrain, trace);

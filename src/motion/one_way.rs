@@ -2,6 +2,9 @@
 //!
 //! A one-way stops who comes from its front, decided by the face that he comes from ([`Ground::blocks`]). So one who wants
 //! down is simply put into the face on the other side, there and then: no request stays open that could be lost.
+//!
+//! One falls through what one stands on, with down and a jump that is pressed there. A jump pressed in the air is none of these:
+//! after the landing it is a jump, with down held too.
 
 use super::body::{Air, Body, EventKind, Mode, Trace};
 use super::ladder::Reach;
@@ -11,13 +14,14 @@ use crate::geom::STEP;
 use crate::mesh::{EdgeId, FaceId, Segment};
 
 impl Body {
-    /// Through the one-way under the body, if down is held and nothing solid is there. The jump that asks for it is used up.
+    /// Through the one-way under the body, if down is held, the jump is pressed now, and nothing solid is there. It is used up.
     pub(super) fn drop_if_asked(&mut self, terrain: &Terrain, trace: &mut Trace) -> bool {
         let mesh = self.ground(terrain);
         let Mode::Surface(on) = &self.mode else {
             return false;
         };
-        if !self.control.down || !on.walkable || !mesh.is_one_way(on.edge) {
+        let asks = self.control.down && self.pressed_at == Some(self.time);
+        if !asks || !on.walkable || !mesh.is_one_way(on.edge) {
             return false;
         }
         let beyond = mesh.sym(on.edge);

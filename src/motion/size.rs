@@ -4,6 +4,7 @@
 use super::air::DISPLACED;
 use super::body::{Air, Body, EventKind, Mode, Next, Size, SpawnError, Surface, Trace, Wedge};
 use super::edit::again;
+use super::grip::Grip;
 use super::roots::exit;
 use super::terrain::{Ground, Terrain};
 use super::track::{Track, delta};
@@ -192,9 +193,9 @@ impl Body {
         }
     }
 
-    /// Down means crouch on the ground; in the air it only keeps a body crouched.
+    /// Down means crouch on the ground; in the air it only keeps a body crouched. A climb onto a ledge is ended as it was begun.
     fn wished_size(&self) -> Size {
-        if matches!(self.mode, Mode::Crushed(_)) {
+        if matches!(self.mode, Mode::Crushed(_)) || self.grip() == Grip::Over {
             return self.size;
         }
         let may = self.supported() || self.size == Size::Crouch;

@@ -2,9 +2,11 @@
 
 use super::body::Size;
 use super::mover::Mover;
+use super::snap::in_steps;
 use super::track::{Track, delta, walkable};
+use super::vertex::JOINT_STEPS;
 use super::wall::is_wall;
-use crate::mesh::{EdgeId, FaceId, FeatureId, Kind, Mesh, Segment, SegmentId, Use};
+use crate::mesh::{EdgeId, FaceId, FeatureId, Kind, Mesh, Segment, SegmentId, Source, Use};
 use crate::tune::Motion;
 use serde::{Deserialize, Serialize};
 use std::ops::Deref;
@@ -36,6 +38,8 @@ pub enum Concave {
 pub struct Traits {
     /// What it is to a body inside it, if it is a region.
     pub region: Region,
+    /// Of a ladder: how far its drawn lower and upper ends lie above those of the region, in which the feet of one who climbs are, m.
+    pub drawn: [f64; 2],
     /// Its walls can be climbed.
     pub climbable: bool,
     /// Speed of its top, a belt, towards growing x, m/s.
@@ -151,7 +155,7 @@ pub struct Ground<'a> {
     pub traits: &'a [Traits],
     /// Steepest ground that can be stood on.
     pub max_slope: f64,
-    /// To who climbs on a ladder: one-ways do not stop him.
+    /// To who climbs on a ladder: one-ways that can be stood on do not stop him, where it leads on through them.
     pub climbing: bool,
     /// To who climbs on a ladder of this mesh: the tops and the bottoms of its ladders stop him.
     pub ends: bool,
@@ -180,8 +184,8 @@ impl<'a> Ground<'a> {
         Ground { ends, ..self }
     }
 
-    /// Whether a body left of the edge is stopped by it: by a solid on its right, by a line, or by the front of a one-way that
-    /// can be stood on. So a one-way is decided by the face that the body comes from, and by nothing else.
+    /// Whether a body left of the edge is stopped by it: by a solid on its right, by a line, or by the front of a one-way. So
+    /// a one-way is decided by the face that the body comes from, and by nothing else.
     #[inline]
     pub fn blocks(&self, e: EdgeId) -> bool {
         self.mesh.blocks(e)
@@ -200,7 +204,56 @@ impl<'a> Ground<'a> {
 
     fn has_front_that_stops(&self, e: EdgeId) -> bool {
         let free = self.mesh.left(e).is_some_and(|f| !self.mesh.is_solid(f));
-        free && self.mesh.fronts(e).any(|s| self.stops(s))
+        free && self.mesh.fronts(e).any(|s| self.stops(s)) && !(self.climbing && self.is_passage(e))
+    }
+
+    /// Whether one-ways alone stop a body left of the edge, that can be stood on, and its ladder leads on through them.
+    fn is_passage(&self, e: EdgeId) -> bool {
+        let is_platform = |s| self.mesh.kind(s) == Kind::OneWay && self.walkable(s);
+        self.mesh
+            .fronts(e)
+            .filter(|&s| self.stops(s))
+            .all(is_platform)
+            && self.leads_below(e)
+    }
+
+    /// Whether a climber who comes down to a one-way from above goes on below it: if his ladder has been drawn further down than
+    /// that, or another one begins where it ends. In a frame without his ladder one-ways are nothing to him.
+    fn leads_below(&self, e: EdgeId) -> bool {
+        let above = self.mesh.left(e);
+        let his = self.ends && above.is_some_and(|f| self.is_ladder(f));
+        !his || self.leads_down_from(e)
+    }
+
+    /// Whether a ladder leads down from an edge, on the left of which a body stands.
+    pub(super) fn leads_down_from(&self, e: EdgeId) -> bool {
+        let below = self.mesh.left(self.mesh.sym(e));
+        let (a, b) = self.mesh.ends(e);
+        let height = a.y.min(b.y);
+        let cover = below.map_or(&[][..], |f| self.mesh.cover(f));
+        let rungs = cover.iter().filter(|&&f| self.is_rung(f));
+        rungs.into_iter().any(|&f| self.is_drawn_below(f, height))
+    }
+
+    /// Whether a ladder has been drawn further down than a height, in grid steps and by more than a joint, or leads on to one.
+    fn is_drawn_below(&self, ladder: FeatureId, height: i32) -> bool {
+        let mesh = self.mesh;
+        let above_region = self.traits.get(ladder as usize).map_or(0.0, |t| t.drawn[0]);
+        let lowest = height - in_steps(above_region) - JOINT_STEPS;
+        let is_foot = |s: SegmentId| {
+            let segment = mesh.segment(s);
+            self.is_end(s) && segment.a.x < segment.b.x
+        };
+        let goes_on = |s: SegmentId| {
+            let edges = mesh.chain(s).windows(2);
+            let mut edges = edges.filter_map(|v| mesh.edge_between(v[1], v[0]));
+            edges.any(|e| mesh.left(e).is_some_and(|f| self.is_ladder(f)))
+        };
+        let mut feet = mesh.segments_of(ladder).iter().filter(|&&s| is_foot(s));
+        feet.any(|&s| {
+            let Segment { a, b, .. } = *mesh.segment(s);
+            a.y.min(b.y) < lowest || goes_on(s)
+        })
     }
 
     /// Whether a ladder covers the face.
@@ -225,14 +278,14 @@ impl<'a> Ground<'a> {
     }
 
     /// Whether a feature edge is the top or the bottom of a ladder: rising at most 45 degrees.
-    fn is_end(&self, s: SegmentId) -> bool {
+    pub(super) fn is_end(&self, s: SegmentId) -> bool {
         let segment = self.mesh.segment(s);
         let (dx, dy) = delta(segment.a, segment.b);
         dy.abs() <= dx.abs() && self.is_rung(segment.feature)
     }
 
     /// The feature edges along an edge that a body left of it can meet: those of solids and of one-ways that have their free
-    /// side, or their front, there. Regions, and one-ways too steep to stand on, stop nobody.
+    /// side, or their front, there. Regions stop nobody.
     pub fn facing(self, e: EdgeId) -> impl Iterator<Item = SegmentId> + 'a {
         let meets = move |u: &Use| match self.mesh.kind(u.segment) {
             Kind::Region => u.forward && self.ends && self.is_end(u.segment),
@@ -245,8 +298,29 @@ impl<'a> Ground<'a> {
     fn stops(&self, s: SegmentId) -> bool {
         match self.mesh.kind(s) {
             Kind::Solid | Kind::Line => true,
-            Kind::OneWay => !self.climbing && self.walkable(s),
+            Kind::OneWay => self.walkable(s) || self.is_held_up(s),
             Kind::Region => false,
+        }
+    }
+
+    /// Whether a feature edge of a one-way that cannot be stood on stops who comes from its front: a wall or a ceiling.
+    ///
+    /// All that has been drawn does, and what the collider's sides make of its bends. At its ends they do if they go on as it
+    /// is, as a wall or as a ceiling: so it is passed beyond its end, as a platform is.
+    fn is_held_up(&self, s: SegmentId) -> bool {
+        let segment = self.mesh.segment(s);
+        let Source::Corner { vertex, .. } = segment.source else {
+            return true;
+        };
+        let drawn = |edge: u32| {
+            let source = Source::Edge { edge };
+            self.mesh.segment_of(segment.feature, source)
+        };
+        match (vertex.checked_sub(1).and_then(drawn), drawn(vertex)) {
+            (Some(end), None) | (None, Some(end)) => {
+                !self.walkable(end) && self.is_wall(end) == self.is_wall(s)
+            }
+            (into, _) => into.is_some(),
         }
     }
 

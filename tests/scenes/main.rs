@@ -29,6 +29,7 @@ mod starts;
 mod stress;
 mod swept;
 mod timing;
+mod valves;
 mod walls;
 
 #[path = "../common/worlds.rs"]

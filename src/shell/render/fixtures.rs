@@ -238,6 +238,30 @@ fn vines(kit: &Kit, a: Vec2, b: Vec2, outward: Vec2, model: &mut Model) {
     }
 }
 
+/// Whether a line of boards is stood on throughout: it runs to the right, and not too steeply.
+pub fn is_floor(feature: &Feature) -> bool {
+    let corners: Vec<Vec2> = outline(feature).collect();
+    corners.windows(2).all(|pair| faces_up(pair[0], pair[1]))
+}
+
+fn faces_up(a: Vec2, b: Vec2) -> bool {
+    (b - a).normalize_or_zero().x > 0.6
+}
+
+/// Arrows behind a part of a one-way that is a wall or a ceiling: they show the way through it.
+fn way_through(a: Vec2, b: Vec2, model: &mut Model) {
+    let along = (b - a).normalize_or_zero();
+    let back = -along.perp();
+    let count = (a.distance(b) / 1.2).round().max(1.0);
+    for i in 0..count as u32 {
+        let at = a.lerp(b, (i as f32 + 0.5) / count);
+        let place = |behind: f32, aside: f32| (at + back * behind + along * aside).extend(EDGE);
+        for side in [0.2, -0.2] {
+            model.beam(place(0.5, side), place(0.24, 0.0), 0.05, CHALK);
+        }
+    }
+}
+
 /// Boards on two runners, of timber or of iron.
 fn planks(feature: &Feature, model: &mut Model) {
     let iron = feature.material == Material::Iron;
@@ -261,6 +285,9 @@ fn planks(feature: &Feature, model: &mut Model) {
         for z in [EDGE - 0.22, BACK + 0.2] {
             let at = |p: Vec2| p.extend(z) + down * 1.6;
             model.beam(at(a), at(b), 0.07, runner);
+        }
+        if !faces_up(a, b) {
+            way_through(a, b, model);
         }
     }
 }

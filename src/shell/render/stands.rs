@@ -2,7 +2,7 @@
 //! below, rods from a ceiling, or piles that stand in the water. Which it is, is asked of the level.
 
 use super::bearers::{BRACE, Bearers, Frame, HEMP, IRON, ROOT};
-use super::fixtures::{bounds, outline};
+use super::fixtures::{bounds, is_floor, outline};
 use super::model::{Model, Paint, paint};
 use crate::level::{Feature, Kind, Level, Material};
 use glam::Vec2;
@@ -86,7 +86,9 @@ fn frame(feature: &Feature, around: &Around) -> Frame {
             } else {
                 WOOD
             };
-            Boards::of(feature, paint).carry(around, &mut frame);
+            if is_floor(feature) {
+                Boards::of(feature, paint).carry(around, &mut frame);
+            }
         }
         (Kind::Ladder, Material::Iron) => hook(feature, &around.stone, &mut frame),
         _ => {}
