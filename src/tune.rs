@@ -120,6 +120,7 @@ tunables! {
         ledge_climb_speed = 5.0 in 0.0..=60.0, "m/s", "Speed of climbing up from a ledge.";
         climb_speed = 4.0 in 0.0..=60.0, "m/s", "Speed that full stick asks for on ladders and climbable walls.";
         climb_accel = 60.0 in 0.0..=2000.0, "m/s^2", "Acceleration there.";
+        ladder_reach = 0.5 in 0.0..=4.0, "m", "How far above a ladder, or beside its end, ground may be that is climbed onto from it.";
         lift_memory = 0.1 in 0.0..=1.0, "s", "How long one who leaves a moving solid may still jump with the speed it had.";
     }
 }

@@ -421,6 +421,10 @@ fn traits(feature: &Feature) -> Traits {
                 Region::Plain
             }
         },
+        drawn: match feature.kind {
+            Kind::Ladder => feature.drawn_ends(&Collider::hero()),
+            _ => [0.0; 2],
+        },
         climbable: feature.climbable,
         conveyor: feature.conveyor,
         friction: feature.friction,

@@ -120,6 +120,21 @@ impl Feature {
             .collect()
     }
 
+    /// How far the lower and the upper end of the region, as it is drawn, lie above those of the places where the foot of a body is
+    /// that is in it, in metres.
+    pub fn drawn_ends(&self, body: &Collider) -> [f64; 2] {
+        let metres = |steps: i32| Point::new(0, steps).metres().y;
+        match self.by() {
+            By::Body => {
+                let (low, high) = heights(body);
+                [high, low].map(metres)
+            }
+            By::Foot => [0.0; 2],
+            By::Middle => [metres(middle(body).y); 2],
+            By::Point(_, y) => [y; 2],
+        }
+    }
+
     /// The edges of the feature for a body, which is then a point: around the places where it would overlap a solid or
     /// be in a region, or along those where a one-way holds it.
     pub fn expand(&self, body: &Collider) -> Vec<ExpandedEdge> {
@@ -138,10 +153,15 @@ impl Feature {
     }
 }
 
+/// The lowest and the highest corner, in steps above the reference point.
+fn heights(body: &Collider) -> (i32, i32) {
+    let heights = || body.corners().iter().map(|p| p.y);
+    (heights().min().unwrap_or(0), heights().max().unwrap_or(0))
+}
+
 /// Half way up above the reference point.
 fn middle(body: &Collider) -> Point {
-    let heights = || body.corners().iter().map(|p| p.y);
-    let (low, high) = (heights().min().unwrap_or(0), heights().max().unwrap_or(0));
+    let (low, high) = heights(body);
     Point::new(0, low + (high - low) / 2)
 }
 

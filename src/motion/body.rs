@@ -5,6 +5,7 @@ use super::beside::Beside;
 pub use super::event::{Event, EventKind, Trace};
 use super::grip::Grip;
 use super::ladder::Reach;
+use super::mount::Mount;
 use super::mover::Ride;
 use super::terrain::{Ground, Terrain};
 use super::track::Track;
@@ -145,6 +146,8 @@ pub(super) enum Next {
     Unlock,
     /// The height is reached at which the body hangs from a ledge: this parameter.
     Grab(f64),
+    /// The feet of one who climbs from the end of a ladder come to ground, or to its height.
+    Mount,
     /// The frame begins the next piece of its path.
     Node,
     /// What is next in another frame, an entry of the body's list of them.
@@ -202,6 +205,15 @@ pub struct Body {
     /// Of which moving solid the ladder is, while it holds on to one; `None`: of the level.
     #[serde(default)]
     pub(super) ladder: Option<u32>,
+    /// It is on its way between the end of one and ground.
+    #[serde(default)]
+    pub(super) mount: Option<Mount>,
+    /// When up or down was last pressed.
+    #[serde(default)]
+    pub(super) anew_at: Option<f64>,
+    /// The sign of the last wish to run; 0: there has been none.
+    #[serde(default)]
+    pub(super) faces: f64,
     /// Whether up or down, if held, takes hold of one.
     #[serde(default)]
     pub(super) reach: Reach,
@@ -479,6 +491,9 @@ impl Body {
             self.grip() as u8,
         ];
         hash.update(&flags);
+        if let Some(mount) = &self.mount {
+            mount.hash_into(hash);
+        }
         if let Some(ride) = self.frame {
             hash.update(&ride.mover.to_le_bytes());
         }

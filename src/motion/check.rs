@@ -95,7 +95,7 @@ fn in_regions(body: &Body, terrain: &Terrain) -> Result<(), String> {
     if around != told && !matches!(body.mode(), Mode::Crushed(_)) {
         return Err(format!("I1: in regions {around:?}, told of {told:?}"));
     }
-    if body.climbing() && !told.iter().any(|f| region(f) == Region::Ladder) {
+    if body.climbing() && !body.is_mounting() && !told.iter().any(|f| region(f) == Region::Ladder) {
         return Err("I1: climbs outside of ladders".into());
     }
     if !body.is_at_home() {

@@ -1,13 +1,16 @@
 //! Ladders: regions to climb in, up, down and sideways, without gravity.
 //!
 //! Who climbs is in the air, or on something too steep to stand on; his velocity is driven towards the wish. Solids stop
-//! him, one-ways do not. A ladder that moves carries him: he climbs in its frame. On ground that he comes to he stands. The top and the bottom of a ladder, its border edges of at most
-//! 45 degrees, stop him as if the outside were solid ([`Ground`] says so to who climbs): he rests there exactly, for as
-//! long as he likes. Over the other edges he steps off and falls.
+//! him, and so do one-ways, but those that can be stood on where the ladder goes on below them. A ladder that moves carries him:
+//! he climbs in its frame. On ground that he comes to he stands. The top and the bottom of a ladder, its border edges of at
+//! most 45 degrees, stop him as if the outside were solid ([`Ground`] says so to who climbs): he rests there exactly, for as
+//! long as he likes. Over the other edges he steps off and falls. From the top he climbs on to ground that is near: see
+//! [`super::mount`].
 //!
-//! Up takes hold, and so does down in the air or on a one-way with the ladder going on below; held keys count. A jump leaves
-//! the ladder, and what is held takes hold again only when it rises no more. Who lets go (down and jump) or steps off has to
-//! press anew, or to stand first; down, in any case, anew.
+//! Up takes hold, and so does down in the air or on a one-way with the ladder going on below; held keys count. Down that is
+//! pressed on a one-way takes hold of a ladder that ends near below, too. A jump leaves the ladder, and what is held takes hold
+//! again only when it rises no more. Who lets go (down and jump) or steps off has to press anew, or to stand first; down, in
+//! any case, anew.
 
 use super::beside::Beside;
 use super::body::{Air, Body, EventKind, Mode, Next, Trace};
@@ -19,7 +22,7 @@ use super::terrain::{Ground, Region, Terrain};
 use super::track::{Track, delta};
 use super::vertex::{segment_at, spokes};
 use crate::geom::STEP;
-use crate::mesh::{EdgeId, FaceId, SegmentId};
+use crate::mesh::{EdgeId, FaceId, Kind, SegmentId};
 use crate::tune::Motion;
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
@@ -47,8 +50,10 @@ enum Hold {
     Here,
     /// From ground that it stands on, or from a wedge.
     Off,
-    /// Through the one-way that it stands on, into the face below.
+    /// Through the one-way that it stands on, into the face below, where the ladder goes on.
     Below(FaceId),
+    /// The same, to a ladder that ends near below.
+    Down(FaceId),
 }
 
 impl Body {
@@ -119,6 +124,9 @@ impl Body {
 
     /// The wish of one who climbs, as a share of full speed.
     fn climb_wish(&self) -> DVec2 {
+        if let Some(wish) = self.mount_wish() {
+            return wish;
+        }
         let share = |key: bool| f64::from(u8::from(key));
         let up = share(self.control.up) - share(self.control.down);
         DVec2::new(self.control.run, up)
@@ -126,8 +134,11 @@ impl Body {
 
     /// Whether the regions around the body make it take hold or lose its hold.
     pub(super) fn minds_ladder(&self, terrain: &Terrain) -> bool {
-        self.climbing && self.ladder_here(terrain) != Some(self.ladder)
-            || self.hold_wished(terrain).is_some()
+        let lost = match self.mount {
+            Some(_) => self.on_ladder(terrain),
+            None => self.ladder_here(terrain) != Some(self.ladder),
+        };
+        self.climbing && lost || self.hold_wished(terrain).is_some()
     }
 
     /// How the body would take hold now, if it would.
@@ -151,9 +162,14 @@ impl Body {
             }
             Mode::Surface(on) => {
                 let mesh = self.ground(terrain);
+                if !mesh.is_one_way(on.edge) {
+                    return None;
+                }
                 let below = mesh.left(mesh.sym(on.edge))?;
-                let goes_on = mesh.is_one_way(on.edge) && mesh.is_ladder(below);
-                goes_on.then_some(Hold::Below(below))
+                match mesh.leads_down_from(on.edge) {
+                    true => Some(Hold::Below(below)),
+                    false => self.ladder_below(on.edge, terrain).map(Hold::Down),
+                }
             }
             Mode::Wedge(_) => {
                 let away = wish.y > 0.0 && self.climbs_away(DVec2::Y, ladder, terrain.tuning);
@@ -216,9 +232,13 @@ impl Body {
         if open {
             self.reach = Reach::Open;
         }
-        if self.climbing {
+        if self.mount.is_some() {
+            self.end_mount(self.on_ladder(terrain));
+        }
+        if self.climbing && !self.is_mounting() {
             self.keep_hold(terrain, trace);
         }
+        self.mount_as_wished(terrain);
         let Some(hold) = self.hold_wished(terrain) else {
             return;
         };
@@ -227,17 +247,21 @@ impl Body {
         let (p, v) = (self.local_position(), self.local_velocity());
         let through = self.segment();
         let ladder = match hold {
-            Hold::Below(_) => self.carrier(),
+            Hold::Below(_) | Hold::Down(_) => self.carrier(),
             _ => self.ladder_here(terrain).flatten(),
         };
         match hold {
             Hold::Here => {}
             Hold::Off => self.fly(p, v, self.face(&mesh), self.left_behind(terrain)),
             Hold::Below(face) => self.fly(p, v, face, [None; 2]),
+            Hold::Down(face) => {
+                self.fly(p, v, face, [None; 2]);
+                self.dismount();
+            }
         }
         if let Mode::Air(air) = &mut self.mode {
             air.lock = None;
-            air.through = through.filter(|_| matches!(hold, Hold::Below(_)));
+            air.through = through.filter(|_| matches!(hold, Hold::Below(_) | Hold::Down(_)));
         }
         (self.climbing, self.ladder) = (true, ladder);
         (self.rising, self.coyote_from, self.off_wall) = (false, None, None);
@@ -276,10 +300,11 @@ impl Body {
     fn lose_hold(&mut self, terrain: &Terrain, trace: &mut Trace) {
         // The law changes, also where the event was only a touch.
         self.rebase();
-        self.climbing = false;
+        (self.climbing, self.mount) = (false, None);
         self.reach = Reach::Anew;
+        let mesh = self.ground(terrain);
         if let Mode::Surface(on) = &self.mode
-            && !self.ground(terrain).blocks(on.edge)
+            && (!mesh.blocks(on.edge) || mesh.kind(on.segment) == Kind::Region)
         {
             self.come_free(terrain);
         }
@@ -364,7 +389,7 @@ impl Body {
         }
     }
 
-    /// At the top of a ladder, in line with a one-way: up onto that, for there is no climbing on. False if it is none.
+    /// At the top of a ladder: up onto a one-way in line with it, or on to ground that is near. False if there is none.
     pub(super) fn climb_onto(
         &mut self,
         border: EdgeId,
@@ -373,18 +398,20 @@ impl Body {
     ) -> bool {
         let plain = self.ground(terrain).climbed(false);
         let floor = plain.sym(border);
-        if !self.climbing || plain.mesh.blocks(border) || !plain.is_one_way(floor) {
+        if !self.climbing || plain.mesh.blocks(border) {
             return false;
         }
-        let Some(segment) = segment_at(plain, floor, |_| false) else {
-            return false;
+        let platform = segment_at(plain, floor, |_| false);
+        let platform = platform.filter(|&s| plain.is_one_way(floor) && plain.walkable(s));
+        let Some(segment) = platform else {
+            return self.mount(border, terrain);
         };
         self.stand_up_on(floor, segment, terrain, trace);
         true
     }
 
     /// From the ladder onto ground that is just here.
-    fn stand_up_on(
+    pub(super) fn stand_up_on(
         &mut self,
         edge: EdgeId,
         segment: SegmentId,
@@ -394,7 +421,7 @@ impl Body {
         let track = self.ground(terrain).track(segment);
         let s = track.parameter(self.local_position());
         let along = track.tangent.dot(self.local_velocity());
-        self.climbing = false;
+        (self.climbing, self.mount) = (false, None);
         self.settle(segment, edge, s, along, 0.0, terrain, trace);
     }
 
@@ -444,7 +471,7 @@ impl Body {
 fn ground_beyond(joint: &Joint, mesh: Ground) -> Option<(EdgeId, SegmentId)> {
     let plain = mesh.climbed(false);
     let forward = joint.before.0.signum();
-    if forward == 0 || mesh.mesh.kind(joint.segment) != crate::mesh::Kind::Region {
+    if forward == 0 || mesh.mesh.kind(joint.segment) != Kind::Region {
         return None;
     }
     let home = mesh.origin(joint.beside);

@@ -8,7 +8,7 @@
 //!
 //! In reading order: [`terrain`] and [`mover`] (in what?), [`roots`] (when?), [`track`] (along what?), [`vertex`] (what
 //! next?), [`law`] and [`footing`] (how fast?), [`body`] (the state), [`event`] (what happens to it), `step` (the sequence
-//! of events) with `air`, `corner`, `surface`, `joint`, `held`, `snap`, `stair`, `one_way`, `region`, `ladder` and `size`;
+//! of events) with `air`, `corner`, `surface`, `joint`, `held`, `snap`, `stair`, `one_way`, `region`, `ladder`, `mount` and `size`;
 //! [`wall`], [`grip`], [`ledge`] and `correct` (at walls); `beside` (the places in all other frames), `paths`, `ride`,
 //! `contact`, `push` and `at_once` (what moving solids do); [`Anchor`] (edits under a body), [`check`] (the invariants).
 //!
@@ -31,6 +31,7 @@ mod joint;
 mod ladder;
 pub mod law;
 pub mod ledge;
+pub mod mount;
 pub mod mover;
 mod one_way;
 mod paths;

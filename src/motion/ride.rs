@@ -299,7 +299,12 @@ impl Body {
 
 /// Walkable ground about a face that goes on towards `dx` from a position at most [`JOINT_STEPS`] above or below it: the edge and its
 /// feature edge. The nearest in height.
-fn ground_near(mesh: Ground, face: FaceId, q: DVec2, dx: f64) -> Option<(EdgeId, SegmentId)> {
+pub(super) fn ground_near(
+    mesh: Ground,
+    face: FaceId,
+    q: DVec2,
+    dx: f64,
+) -> Option<(EdgeId, SegmentId)> {
     let reach = f64::from(JOINT_STEPS) * STEP;
     let about = mesh.sides(face).into_iter();
     let edges = about.flat_map(|side| spokes(mesh, mesh.origin(side)));

@@ -45,6 +45,9 @@ impl Body {
             regions_move: false,
             climbing: false,
             ladder: None,
+            mount: None,
+            anew_at: None,
+            faces: 0.0,
             reach: Reach::Open,
             rising: false,
             rides: None,
@@ -91,12 +94,18 @@ impl Body {
         if before == control {
             return;
         }
+        if run != 0.0 {
+            self.faces = run.signum();
+        }
         if control.jump && !before.jump {
             self.pressed_at = Some(self.time);
         }
         let anew = control.up && !before.up || control.down && !before.down;
         if anew || self.reach == Reach::Landed {
             self.reach = Reach::Open;
+        }
+        if anew {
+            self.anew_at = Some(self.time);
         }
         self.rebase();
         if !control.jump && before.jump {
@@ -147,6 +156,7 @@ impl Body {
             Next::Clear(parameter) => self.come_clear(parameter),
             Next::Unlock => self.unlock(trace),
             Next::Grab(parameter) => self.grab(parameter, trace),
+            Next::Mount => self.come_to_ground(terrain, trace),
             Next::Node => self.ride_on(terrain, trace),
             Next::Beside(i) => return self.handle_beside(i as usize, terrain, trace),
         }
@@ -395,6 +405,7 @@ impl Body {
         };
         let found = self.sooner_if_clear(found, terrain);
         let found = self.sooner_if_grabs(found, terrain);
+        let found = self.sooner_if_mounts(found);
         let own = self
             .sooner_if_unlocked(found)
             .map(|(at, what)| (at.max(self.time), what));

@@ -135,6 +135,12 @@ impl Track {
         ((numerator / dx) as f64 + (numerator % dx) as f64 / dx as f64) * STEP
     }
 
+    /// The position on the line straight above or below another one; for roads that are not upright.
+    pub fn above(&self, p: DVec2) -> DVec2 {
+        let (dx, dy) = (self.direction.0 as f64, self.direction.1 as f64);
+        DVec2::new(p.x, (dy * p.x + self.offset as f64 * STEP) / dx)
+    }
+
     /// The position on the line at a parameter.
     pub fn position(&self, s: f64) -> DVec2 {
         let (dx, dy) = (self.direction.0 as f64, self.direction.1 as f64);

@@ -105,6 +105,10 @@ impl World {
             Mesh::of(&parts.collect::<Vec<_>>()).unwrap()
         };
         let meshes = colliders.each_ref().map(|c| mesh(&self.features, 0, c));
+        let traits = |feature: &Feature| Traits {
+            drawn: feature.drawn_ends(&colliders[0]),
+            ..traits(feature)
+        };
         let mut traits: Vec<Traits> = self.features.iter().map(traits).collect();
         let mut movers = Vec::new();
         for m in &self.movers {
@@ -190,6 +194,7 @@ fn traits(feature: &Feature) -> Traits {
             Kind::Ladder => Region::Ladder,
             _ => Region::Plain,
         },
+        drawn: [0.0; 2],
         climbable: feature.climbable,
         conveyor: feature.conveyor,
         friction: feature.friction,

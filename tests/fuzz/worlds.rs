@@ -43,6 +43,12 @@ pub fn world(dice: &mut Dice) -> World {
     for _ in 0..2 + dice.below(4) {
         features.push(region(dice, family));
     }
+    for _ in 0..1 + dice.below(4) {
+        features.push(valve(dice, family));
+    }
+    for _ in 0..1 + dice.below(2) {
+        features.extend(ladder_to_platform(dice, family));
+    }
     let mut movers: Vec<Mover> = (0..dice.below(4)).map(|_| mover(dice, family)).collect();
     movers.extend((0..1 + dice.below(3)).map(|_| machine(dice, family)));
     // Of numbers of their own, so that the rest is as it was without.
@@ -185,6 +191,62 @@ fn one_way(dice: &mut Dice, family: Family) -> Feature {
     }
 }
 
+/// A line of one to three edges in any direction, mostly upright or from right to left.
+fn valve(dice: &mut Dice, family: Family) -> Feature {
+    let mut at = place(dice, family);
+    let mut outline = vec![at];
+    for _ in 0..1 + dice.below(3) {
+        let long = f64::from(1 + dice.below(3));
+        at += match dice.below(4) {
+            0 => DVec2::new(0.0, long),
+            1 => DVec2::new(0.0, -long),
+            2 => DVec2::new(-long, 0.0),
+            _ => DVec2::new(dice.between(-long, long), dice.between(-long, long)),
+        };
+        outline.push(at);
+    }
+    Feature {
+        kind: Kind::OneWay,
+        outline,
+        ..Feature::default()
+    }
+}
+
+/// A ladder, and a platform about as high as its end, across it or beside it; sometimes one at its foot.
+fn ladder_to_platform(dice: &mut Dice, family: Family) -> Vec<Feature> {
+    let at = place(dice, family);
+    let top = at.y + f64::from(2 + dice.below(4));
+    let ends = match dice.below(2) {
+        0 => top,
+        _ => top + dice.between(-0.7, 0.5),
+    };
+    let board = |y: f64, x0: f64, x1: f64| Feature {
+        kind: Kind::OneWay,
+        outline: vec![DVec2::new(x0, y), DVec2::new(x1, y)],
+        ..Feature::default()
+    };
+    let mut features = vec![Feature {
+        kind: Kind::Ladder,
+        outline: rect(at.x, at.y, at.x + 1.0, ends),
+        ..Feature::default()
+    }];
+    match dice.below(3) {
+        0 => features.push(board(top, at.x - 1.0, at.x + 2.0)),
+        1 => features.push(board(top, at.x + 1.25, at.x + 4.0)),
+        _ => {
+            let sides = [(at.x - 3.0, at.x - 0.25), (at.x + 1.25, at.x + 4.0)];
+            for (x0, x1) in sides {
+                let outline = rect(x0, top - 0.5, x1, top);
+                features.push(solid(dice, outline));
+            }
+        }
+    }
+    if dice.below(2) == 0 {
+        features.push(board(at.y, at.x - 1.0, at.x + 2.0));
+    }
+    features
+}
+
 fn region(dice: &mut Dice, family: Family) -> Feature {
     let at = place(dice, family);
     let ladder = dice.below(2) == 0;
@@ -213,6 +275,7 @@ fn mover(dice: &mut Dice, family: Family) -> Mover {
     };
     let body = match dice.below(6) {
         0 => one_way(dice, family),
+        1 => valve(dice, family),
         _ => solid(dice, outline),
     };
     let mut path: Vec<Stop> = (0..2 + dice.below(2)).map(|_| stop(dice)).collect();

@@ -70,6 +70,7 @@ impl Scene {
         traits.resize(others, Traits::default());
         traits.extend(self.regions.iter().map(|&(region, _)| Traits {
             region,
+            drawn: self.drawn,
             ..Traits::default()
         }));
         if variant == Variant::Mirrored {

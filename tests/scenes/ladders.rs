@@ -166,9 +166,14 @@ fn up_through_a_platform_and_onto_one_at_the_top() {
 fn from_the_top_onto_a_ledge_of_that_height() {
     let scene = ladder(6.0).rect((0.75, 9.0), (0.0, 6.0));
     scene.tune(|t| t.run_accel = 50.0).each(|run| {
-        run.spawn(0.0, 0.0).up(true).advance(3.0);
-        run.near(0.0, 6.0, 0.0).hold(1.0).advance(4.0);
+        // Up stops where he is let go of it, and the stick leads on.
+        run.spawn(0.0, 0.0).up(true).advance(1.5);
+        run.up(false).hold(1.0).up(true).advance(2.5);
         assert!(run.supported() && run.at().x > 1.0, "{}", run.at());
+        close(run.at().y, 6.0, 0.0);
+        // With up alone it is the same ledge.
+        run.spawn(0.0, 0.0).up(true).advance(3.0);
+        assert!(run.supported(), "{}", run.at());
         close(run.at().y, 6.0, 0.0);
     });
 }

@@ -170,6 +170,7 @@ const VINES: [Traits; 2] = [
     Traits {
         climbable: true,
         region: edgewalker::motion::Region::None,
+        drawn: [0.0; 2],
         conveyor: 0.0,
         friction: None,
         concave: None,
@@ -178,6 +179,7 @@ const VINES: [Traits; 2] = [
     Traits {
         climbable: false,
         region: edgewalker::motion::Region::None,
+        drawn: [0.0; 2],
         conveyor: 0.0,
         friction: None,
         concave: None,

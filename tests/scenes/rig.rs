@@ -60,6 +60,8 @@ pub struct Scene {
     pub one_ways: Vec<Vec<DVec2>>,
     /// Regions by the reference point.
     pub regions: Vec<(Region, Vec<DVec2>)>,
+    /// How far above the ends of the ladders among them they are drawn.
+    pub drawn: [f64; 2],
     /// Edges without an inside, for the point alone: they stop who comes from either side.
     pub lines: Vec<(DVec2, DVec2)>,
     /// Moving solids, each a scene of its own, and where it goes from time 0 on.
@@ -121,6 +123,7 @@ impl Scene {
             wires: Vec::new(),
             one_ways: Vec::new(),
             regions: Vec::new(),
+            drawn: [0.0; 2],
             lines: Vec::new(),
             movers: Vec::new(),
             starts: None,

@@ -1,14 +1,20 @@
-//! The part of the check that asks what triggers and regions are there for.
+//! The part of the check that asks what triggers, regions and ladders are there for.
 
 use super::{Case, Report, name_of};
 use crate::game::Shape;
 use crate::level::Kind;
+use crate::motion::mount::short_of_ground;
 
-/// A trigger that nothing waits for, and a region that solids fill, are mistakes of whoever made the level.
+/// A trigger that nothing waits for, a region that solids fill, and a ladder that ends too far below the ground that it leads to
+/// are mistakes of whoever made the level.
 pub(super) fn check(case: &Case, report: &mut Report) {
     let stage = case.stage;
     let awaited: Vec<_> = stage.triggers().collect();
     let land = stage.land(&Shape::hero());
+    let missing = |id| {
+        let land = land.as_ref().ok()?;
+        short_of_ground(id, &land.terrain(stage, &case.tuning.motion))
+    };
     let open = |id| {
         let meshes = &land.as_ref().ok()?.stand;
         let mesh = match stage.mover_of(id) {
@@ -22,6 +28,11 @@ pub(super) fn check(case: &Case, report: &mut Report) {
         let name = name_of(feature);
         if feature.kind == Kind::Trigger && !awaited.contains(&id) {
             report.wrong(format!("{name}: nothing waits for this trigger"));
+        }
+        if let Some(short) = missing(id).filter(|_| feature.kind == Kind::Ladder) {
+            report.wrong(format!(
+                "{name}: ends {short:.2} m too far below the ground over it for who climbs up to stand there"
+            ));
         }
         if !feature.kind.is_terrain() && open(id) == Some(false) {
             report.wrong(format!(
