@@ -89,6 +89,15 @@ struct Corner<'a> {
     cosine: Double,
 }
 
+impl Corner<'_> {
+    /// Whether the flank of the body's foot would slide up the corner of a step here: that is a wall to walkers.
+    fn is_bump(&self) -> bool {
+        let ahead = |side: &Side| side.tangent * self.direction.into();
+        let (before, after) = (ahead(self.before), ahead(self.after));
+        self.after.is_flank && after.y.sign() > 0.0 && (after.x * before.x).sign() > 0.0
+    }
+}
+
 impl Body<'_> {
     /// At the end of a side.
     pub fn corner(&mut self, direction: f64) {
@@ -167,6 +176,8 @@ impl Body<'_> {
             self.go_on(&corner, corner.speed * kept);
         } else if !corner.towards {
             self.leave(&corner);
+        } else if corner.is_bump() {
+            self.stop(&corner);
         } else {
             // Up a wall only with a speed that carries it higher than a joint may rise: two steps.
             let up = corner.speed * corner.cosine;

@@ -48,6 +48,8 @@ pub struct Side {
     pub normal: Vector,
     /// Length of the whole edge, m.
     pub length: Double,
+    /// A side of the collider at a corner of an outline, and no edge of one.
+    pub is_flank: bool,
     /// The stretch that is boundary: from and to, in metres from `start`.
     pub from: Double,
     pub to: Double,
@@ -65,6 +67,7 @@ impl Side {
             tangent,
             normal: tangent.left(),
             length,
+            is_flank: false,
             from: Double::ZERO,
             to: length,
         }
@@ -119,9 +122,11 @@ impl World {
             hulls.extend(triangles(&outline).iter().map(|t| grown(t, &shape)));
             edges.extend(pushed_out(&outline, &shape));
         }
-        let stretches = edges
-            .iter()
-            .flat_map(|&(a, b)| exposed(&Side::new(b, a), &hulls));
+        let side = |&(a, b, is_flank): &(Corner, Corner, bool)| Side {
+            is_flank,
+            ..Side::new(b, a)
+        };
+        let stretches = edges.iter().flat_map(|edge| exposed(&side(edge), &hulls));
         let sides = split_where_they_touch(stretches.collect());
         World { sides, hulls }
     }
@@ -205,8 +210,8 @@ fn grown(triangle: &[Corner; 3], shape: &[Corner]) -> Vec<Corner> {
     hull
 }
 
-/// The edges that can bound a grown outline, with the solid on their left.
-fn pushed_out(outline: &[Corner], shape: &[Corner]) -> Vec<(Corner, Corner)> {
+/// The edges that can bound a grown outline, with the solid on their left, and whether each is a side of the shape.
+fn pushed_out(outline: &[Corner], shape: &[Corner]) -> Vec<(Corner, Corner, bool)> {
     let n = outline.len();
     let along = |i: usize| minus(outline[(i + 1) % n], outline[i % n]);
     let convex = |i: usize| cross(along(i + n - 1), along(i)) > 0;
@@ -229,18 +234,18 @@ fn pushed_out(outline: &[Corner], shape: &[Corner]) -> Vec<(Corner, Corner)> {
         );
         let along_d = minus(b, a);
         if along_d.0 * d.0 + along_d.1 * d.1 > 0 {
-            edges.push((a, b));
+            edges.push((a, b, false));
         }
         let before = along(i + n - 1);
         if cross(before, d) == 0 && rear != front {
             // A corner of half a turn on a line along a side of the shape: both edges stop short of it.
-            edges.push((plus(outline[i], rear), plus(outline[i], front)));
+            edges.push((plus(outline[i], rear), plus(outline[i], front), true));
         }
         let turned_to = |&(a, b): &(Corner, Corner)| {
             cross(before, minus(b, a)) > 0 && cross(minus(b, a), d) > 0
         };
         if convex(i) {
-            let corner = |(a, b)| (plus(outline[i], a), plus(outline[i], b));
+            let corner = |(a, b)| (plus(outline[i], a), plus(outline[i], b), true);
             edges.extend(edges_of(shape).filter(turned_to).map(corner));
         }
     }
