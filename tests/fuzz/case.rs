@@ -105,11 +105,11 @@ impl World {
             Mesh::of(&parts.collect::<Vec<_>>()).unwrap()
         };
         let meshes = colliders.each_ref().map(|c| mesh(&self.features, 0, c));
-        let traits = |feature: &Feature| Traits {
+        let traits_of = |feature: &Feature| Traits {
             drawn: feature.drawn_ends(&colliders[0]),
             ..traits(feature)
         };
-        let mut traits: Vec<Traits> = self.features.iter().map(traits).collect();
+        let mut traits: Vec<Traits> = self.features.iter().map(traits_of).collect();
         let mut movers = Vec::new();
         for m in &self.movers {
             let [stand, crouch] = colliders
@@ -118,7 +118,7 @@ impl World {
             let ridden = m.starts == Starts::Ridden;
             traits.extend(m.features.iter().map(|f| Traits {
                 minds_riders: ridden,
-                ..self::traits(f)
+                ..traits_of(f)
             }));
             let (path, start) = (path(m), (!ridden).then_some(0.0));
             movers.push(mover::Mover {
