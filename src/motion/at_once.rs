@@ -33,6 +33,23 @@ pub struct Meeting {
 }
 
 impl Meeting {
+    /// The moving solid; `None`: the level.
+    pub(super) fn mover(&self) -> Option<u32> {
+        self.mover
+    }
+
+    /// The size in whose mesh it was.
+    pub(super) fn size(&self) -> Size {
+        self.size
+    }
+
+    /// The edge.
+    pub(super) fn segment(&self) -> SegmentId {
+        self.segment
+    }
+}
+
+impl Meeting {
     /// Whether another one is with the same edge.
     fn is_with(&self, other: &Meeting) -> bool {
         let edge = |m: &Meeting| (m.mover, m.size, m.segment);

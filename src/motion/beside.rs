@@ -217,7 +217,7 @@ impl Next {
 
 impl Body {
     /// The motion in the world that goes on until the next event of the body's own.
-    pub(super) fn motion(&self) -> Piece {
+    pub fn motion(&self) -> Piece {
         let local = match &self.mode {
             Mode::Air(air) => Piece {
                 t0: air.t0,

@@ -1,6 +1,7 @@
 //! What happens to a body, as values: each with its time within the tick.
 
 use super::body::Size;
+use super::mover::Piece;
 use crate::mesh::FeatureId;
 use serde::{Deserialize, Serialize};
 
@@ -87,12 +88,39 @@ pub struct Trace {
     pub passed: u64,
     /// Edges met and nodes passed in the frames of moving solids.
     pub touched: u64,
+    /// The motions that came to an end in the step, in order of time.
+    pub ways: Vec<Way>,
+}
+
+/// A motion that a body has had: in closed form, up to a time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Way {
+    /// In the world, whatever carried the body.
+    pub piece: Piece,
+    /// When it came to its end, s.
+    pub until: f64,
 }
 
 impl Trace {
     /// Forgets everything; keeps the memory.
     pub fn clear(&mut self) {
         self.events.clear();
+        self.ways.clear();
         (self.crossed, self.passed, self.touched) = (0, 0, 0);
+    }
+
+    /// Forgets all but the events after so many of them.
+    pub fn forget(&mut self, told: usize) {
+        self.events.drain(..told.min(self.events.len()));
+        self.ways.clear();
+        (self.crossed, self.passed, self.touched) = (0, 0, 0);
+    }
+
+    /// A body's motion comes to an end, or may: what goes on as it was is one motion.
+    pub(super) fn ends(&mut self, way: Way) {
+        match self.ways.last_mut() {
+            Some(last) if last.piece == way.piece => last.until = way.until,
+            _ => self.ways.push(way),
+        }
     }
 }

@@ -10,7 +10,9 @@
 //! next?), [`law`] and [`footing`] (how fast?), [`body`] (the state), [`event`] (what happens to it), `step` (the sequence
 //! of events) with `air`, `corner`, `surface`, `joint`, `held`, `snap`, `stair`, `one_way`, `region`, `ladder`, `mount` and `size`;
 //! [`wall`], [`grip`], [`ledge`] and `correct` (at walls); `beside` (the places in all other frames), `paths`, `ride`,
-//! `contact`, `push` and `at_once` (what moving solids do); [`Anchor`] (edits under a body), [`check`] (the invariants).
+//! `contact`, `push` and `at_once` (what moving solids do); [`Anchor`] (edits under a body), `opening` (when is a
+//! place free?), [`check`] (the invariants), [`vet`] (what comes
+//! from outside).
 //!
 //! What is absent: swimming, and solids that rotate. Bodies do not meet each other.
 
@@ -34,6 +36,7 @@ pub mod ledge;
 pub mod mount;
 pub mod mover;
 mod one_way;
+mod opening;
 mod paths;
 mod push;
 mod region;
@@ -47,10 +50,14 @@ mod surface;
 pub mod terrain;
 pub mod track;
 pub mod vertex;
+mod vet;
 pub mod wall;
 
 pub use body::{Body, Control, Event, EventKind, Mode, Size, SpawnError, Trace};
 pub use edit::Anchor;
+pub use event::Way;
 pub use grip::Grip;
 pub use mover::{Mover, Path, Piece};
+pub use opening::Spot;
 pub use terrain::{Concave, Ground, Region, Terrain, Traits};
+pub use vet::vet;

@@ -44,6 +44,19 @@ pub fn cover(d: f64, u: f64, a: f64) -> Option<f64> {
     exit(d, -u, -0.5 * a, 0.0)
 }
 
+/// The roots of c + b t + e t^2, each once, in the form without cancellation. What is 0 throughout has none.
+pub fn zeros(c: f64, b: f64, e: f64) -> [Option<f64>; 2] {
+    if e == 0.0 {
+        return [(b != 0.0).then(|| -c / b), None];
+    }
+    let d = b * b - 4.0 * e * c;
+    if d < 0.0 {
+        return [None; 2];
+    }
+    let q = -0.5 * (b + d.sqrt().copysign(b));
+    [Some(q / e), (q != 0.0).then(|| c / q)]
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -78,6 +91,22 @@ mod tests {
         assert_eq!(exit(3.0, -4.0, 1.0, 0.5), Some(1.0));
         assert_eq!(exit(3.0, -4.0, 1.0, 1.5), Some(1.5));
         assert_eq!(exit(3.0, -4.0, 1.0, 3.0), None);
+    }
+
+    #[test]
+    fn both_roots_of_a_quadratic() {
+        let sorted = |c, b, e| {
+            let mut found: Vec<f64> = zeros(c, b, e).into_iter().flatten().collect();
+            found.sort_by(f64::total_cmp);
+            found
+        };
+        assert_eq!(sorted(3.0, -4.0, 1.0), [1.0, 3.0]);
+        assert_eq!(sorted(3.0, 4.0, 1.0), [-3.0, -1.0]);
+        assert_eq!(sorted(-4.0, 0.0, 1.0), [-2.0, 2.0]);
+        assert_eq!(sorted(6.0, -2.0, 0.0), [3.0]);
+        assert!(sorted(1.0, 0.0, 1.0).is_empty() && sorted(0.0, 0.0, 0.0).is_empty());
+        // One root of 1e-16 t^2 - t + 1 is next to 1: the other form of it would lose every digit.
+        assert!((sorted(1.0, -1.0, 1e-16)[0] - 1.0).abs() < 1e-15);
     }
 
     #[test]
