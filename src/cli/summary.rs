@@ -42,7 +42,7 @@ impl Summary {
         self.last = world.view();
         self.ticks = world.tick();
         self.hash = world.hash();
-        self.highest = self.highest.max(self.last.position.y - self.start);
+        self.highest = self.highest.max(world.highest() - self.start);
     }
 }
 

@@ -8,13 +8,17 @@
 
 use super::paths::{Cause, Route, seconds};
 use super::stage::{Land, Stage};
-use super::world::{HERO, World};
+use super::world::World;
 use crate::level::End;
 use crate::mesh::FeatureId;
+use crate::motion::{Mover, Path, Piece};
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 use xxhash_rust::xxh3::Xxh3;
+
+/// No path is foreseen in more pieces.
+const FORESEEN: usize = 100_000;
 
 /// Where a mover is on its way. A plain value: what a checkpoint knows of movers is a copy of these.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -33,13 +37,73 @@ pub(super) struct Going {
 }
 
 impl Going {
-    /// All movers of a stage as they are when a level begins.
-    pub fn at_first(stage: &Stage) -> Vec<Going> {
+    /// All movers of a stage as they are when a level begins at a time.
+    pub fn at_first(stage: &Stage, now: f64) -> Vec<Going> {
         let going = stage.routes().iter().map(|route| Going {
-            start: (route.cause == Cause::Level).then_some(0.0),
+            start: (route.cause == Cause::Level).then_some(now),
             ..Going::default()
         });
         going.collect()
+    }
+
+    /// The same, where only what was set going waits again.
+    pub fn waiting_again(stage: &Stage, going: &[Going]) -> Vec<Going> {
+        let both = going.iter().zip(stage.routes());
+        both.map(|(now, route)| match route.cause {
+            Cause::Level => *now,
+            Cause::Trigger(_) | Cause::Rider => Going::default(),
+        })
+        .collect()
+    }
+
+    /// Lets the movers of a shape go as they will from a time on, until another one, if nothing happens to them: with all their
+    /// turns as one path. `riders` are the movers that are ridden.
+    pub fn foresee(
+        going: &[Going],
+        stage: &Stage,
+        land: &mut Land,
+        riders: &[u32],
+        (now, until): (f64, f64),
+    ) {
+        Going::bring(going, stage, land);
+        let all = land.movers.iter_mut().zip(going).zip(stage.routes());
+        for (i, ((mover, going), route)) in all.enumerate() {
+            let mut going = *going;
+            if going.ridden && !riders.contains(&(i as u32)) {
+                (going.ridden, going.since) = (false, now);
+            }
+            if going.due(route).is_none_or(|due| due > until) {
+                continue;
+            }
+            let (mut path, mut from) = (Path::default(), now);
+            while path.pieces.len() < FORESEEN {
+                let due = going.due(route).filter(|&due| due <= until);
+                path.pieces.extend(going.pieces(route, from, due));
+                let Some(at) = due else {
+                    break;
+                };
+                (going, from) = (going.turned(at), at);
+            }
+            (mover.path, mover.start) = (path, Some(0.0));
+        }
+    }
+
+    /// The pieces of its present way in the time of the world, up to the end of that way; who waits stays from a time on.
+    fn pieces(&self, route: &Route, from: f64, end: Option<f64>) -> Vec<Piece> {
+        let own = &self.path(route).pieces;
+        let Some(start) = self.start else {
+            let rests = own.first().map(|first| Piece {
+                t0: from,
+                p0: first.p0,
+                ..Piece::default()
+            });
+            return rests.into_iter().collect();
+        };
+        let moved = own.iter().map(|piece| Piece {
+            t0: start + piece.t0,
+            ..*piece
+        });
+        moved.filter(|p| end.is_none_or(|end| p.t0 < end)).collect()
     }
 
     /// Lets the movers of a shape be where these say.
@@ -55,7 +119,7 @@ impl Going {
     }
 
     /// The way that it is on.
-    fn path<'a>(&self, route: &'a Route) -> &'a crate::motion::Path {
+    fn path<'a>(&self, route: &'a Route) -> &'a Path {
         match self.home {
             true => &route.home,
             false => &route.out,
@@ -204,10 +268,18 @@ impl World {
         self.each(|body, terrain, trace| body.take_up_paths(terrain, trace));
     }
 
-    /// Where a checkpoint puts the hero's foot at a time, m, and how fast that place moves, m/s: it rides along.
-    pub(super) fn place_of_return(&self, checkpoint: FeatureId, at: f64) -> Option<(DVec2, DVec2)> {
+    /// Where a checkpoint puts the hero's foot at a time, m, and how fast that place moves, m/s, among movers: it rides along.
+    /// `None`: the start.
+    pub(super) fn place_of_return(
+        &self,
+        checkpoint: Option<FeatureId>,
+        movers: &[Mover],
+        at: f64,
+    ) -> Option<(DVec2, DVec2)> {
+        let Some(checkpoint) = checkpoint else {
+            return Some((self.stage.level.start, DVec2::ZERO));
+        };
         let place = self.stage.feature(checkpoint)?.respawn?;
-        let movers = &self.lands[HERO].movers;
         let mover = self.stage.mover_of(checkpoint).and_then(|i| movers.get(i));
         let piece = mover.map(|mover| mover.piece_at(at)).unwrap_or_default();
         Some((place + piece.offset(at), piece.velocity(at)))

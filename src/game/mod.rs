@@ -11,18 +11,23 @@ mod meshes;
 mod moves;
 mod paths;
 pub mod replay;
+mod restore;
+mod returns;
 mod rules;
 mod run;
 mod snapshot;
 mod soles;
 mod stage;
+mod ways;
 mod world;
 
 pub use meshes::{Meshes, Shape};
 pub use moves::Sights;
 pub use replay::{Replay, ReplayError};
+pub use restore::RestoreError;
+pub use returns::{Away, Back, Return};
 pub use run::Run;
-pub use snapshot::{RestoreError, Snapshot};
+pub use snapshot::Snapshot;
 pub use soles::Soles;
 pub use stage::{Edit, EditError, Land, Stage, StageError};
 pub use world::{Actor, AddError, World};
@@ -45,9 +50,9 @@ pub struct Input {
     pub down: bool,
     /// Up is held: climb.
     pub up: bool,
-    /// Back to the start, at once.
+    /// Back to the start, at once: a new run, when this is asked for anew.
     pub retry: bool,
-    /// Back to the last checkpoint, at once, in every tick that asks for it. That counts as a death.
+    /// Back to the last checkpoint, when this is asked for anew. That counts as a death.
     #[serde(skip_serializing_if = "is_false")]
     pub respawn: bool,
 }
@@ -111,6 +116,12 @@ pub struct View {
     pub won_at: Option<f64>,
     /// How often the hero died, or fell out of the level, since the run began.
     pub deaths: u32,
+    /// He is nowhere: he has died, and the place where he comes back is not free yet.
+    pub away: Option<Away>,
+    /// When and where he came back last in this run.
+    pub returned: Option<Return>,
+    /// The run counts for no best time: in it tuning, level or speed were others than the game's own.
+    pub marked: bool,
     /// When the run began: 0, or the simulated time of the last restart.
     pub began_at: f64,
     /// Index of the level's area that the hero is in, or was in last; 0 in a level without areas.

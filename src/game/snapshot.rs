@@ -2,14 +2,14 @@
 
 use super::going::Going;
 use super::meshes::Shape;
-use super::stage::{Edit, EditError, Land, Stage};
-use super::world::{Actor, World};
+use super::returns::{Away, Return, Visit};
+use super::stage::{Edit, Land, Stage};
+use super::world::Actor;
 use crate::anim::Leap;
-use crate::mesh::{FeatureId, MeshError};
-use crate::motion::{Body, Control, Trace};
+use crate::mesh::FeatureId;
+use crate::motion::{Body, Control};
 use crate::tune::Motion;
 use serde::{Deserialize, Serialize};
-use std::sync::Arc;
 use xxhash_rust::xxh3::Xxh3;
 
 /// Everything that a world needs, beside its level, to go on from here to the bit. Numbers must be written exactly,
@@ -17,10 +17,12 @@ use xxhash_rust::xxh3::Xxh3;
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Snapshot {
     /// The level's [`Stage::fingerprint`].
-    fingerprint: u64,
+    pub(super) fingerprint: u64,
     /// What was changed in the level since it was loaded.
-    edits: Vec<Edit>,
-    state: State,
+    pub(super) edits: Vec<Edit>,
+    /// Hash of the rest as text: a state that somebody has changed is none that a world has been in.
+    pub(super) sum: u64,
+    pub(super) state: State,
 }
 
 /// What changes from tick to tick.
@@ -35,12 +37,19 @@ pub(super) struct State {
     pub actors: Vec<Actor>,
     // The level: where each mover is on its way, and where the hero comes back.
     pub going: Vec<Going>,
-    pub checkpoint: Option<FeatureId>,
+    /// The checkpoints that he has come to, the last one last.
+    #[serde(default)]
+    pub visited: Vec<Visit>,
+    /// He is nowhere.
+    #[serde(default)]
+    pub away: Option<Away>,
+    #[serde(default)]
+    pub returned: Option<Return>,
     // The tick before: what changed since then is an event.
     pub tuning: Motion,
     pub retry: bool,
-    /// The hero has died and could not come back in that tick.
-    pub doomed: bool,
+    #[serde(default)]
+    pub respawn: bool,
     // What has come of it so far.
     pub facing: f64,
     pub left_at: f64,
@@ -56,6 +65,9 @@ pub(super) struct State {
     pub won_at: Option<f64>,
     pub deaths: u32,
     pub began_at: f64,
+    /// The run counts for no best time.
+    #[serde(default)]
+    pub marked: bool,
     pub area: usize,
     /// In the order in which they were found.
     pub secrets: Vec<FeatureId>,
@@ -75,11 +87,13 @@ impl State {
                 control: Control::default(),
                 body: hero,
             }],
-            going: Going::at_first(stage),
-            checkpoint: None,
+            going: Going::at_first(stage, 0.0),
+            visited: Vec::new(),
+            away: None,
+            returned: None,
             tuning: Motion::default(),
             retry: false,
-            doomed: false,
+            respawn: false,
             facing: 1.0,
             left_at: 0.0,
             leap: Leap::Walked,
@@ -90,6 +104,7 @@ impl State {
             won_at: None,
             deaths: 0,
             began_at: 0.0,
+            marked: false,
             area: 0,
             secrets: Vec::new(),
             secret_at: None,
@@ -108,20 +123,30 @@ impl State {
         self.shapes.iter().map(land).collect()
     }
 
+    /// The checkpoint that the hero came to last.
+    pub fn checkpoint(&self) -> Option<FeatureId> {
+        self.visited.last().map(|visit| visit.checkpoint)
+    }
+
     /// A new run begins.
     pub fn forget_run(&mut self, now: f64) {
-        self.checkpoint = None;
+        self.visited.clear();
+        self.returned = None;
         self.secrets.clear();
         self.secret_at = None;
         self.deaths = 0;
+        self.won_at = None;
         self.began_at = now;
+        self.marked = self.tuning != Motion::default();
     }
 
     /// Keeps nothing that is about a level in which the bodies no longer are.
     pub fn forget_level(&mut self, stage: &Stage) {
-        self.going = Going::at_first(stage);
-        self.checkpoint = None;
+        self.going = Going::at_first(stage, 0.0);
+        self.visited.clear();
+        self.returned = None;
         self.secrets.clear();
+        self.marked = true;
         self.area = 0;
         // A shape too large for the new level would have no meshes there.
         let fits: Vec<bool> = self.shapes.iter().map(|s| stage.land(s).is_ok()).collect();
@@ -138,7 +163,9 @@ impl State {
             self.tick,
             self.seed,
             u64::from(self.deaths),
-            u64::from(self.retry) + 2 * u64::from(self.doomed),
+            u64::from(self.retry)
+                + 2 * u64::from(self.away.is_some())
+                + 4 * u64::from(self.respawn),
             self.facing.to_bits(),
             time(self.won_at),
             self.began_at.to_bits(),
@@ -148,79 +175,14 @@ impl State {
         ] {
             hash.update(&word.to_le_bytes());
         }
-        for id in self.checkpoint.iter().chain(&self.secrets) {
+        for id in self.checkpoint().iter().chain(&self.secrets) {
             hash.update(&id.to_le_bytes());
         }
         for going in &self.going {
             going.hash_into(hash);
         }
-    }
-}
-
-/// Why a snapshot cannot be taken up.
-#[derive(Clone, Debug, PartialEq)]
-pub enum RestoreError {
-    /// It is of another level.
-    OtherLevel,
-    /// The stage has edits that the snapshot does not begin with.
-    OtherEdits,
-    /// One of its edits is refused.
-    Edit(EditError),
-    /// The level has no meshes for one of its shapes.
-    Mesh(MeshError),
-}
-
-impl std::fmt::Display for RestoreError {
-    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
-        match self {
-            RestoreError::OtherLevel => f.write_str("the snapshot is of another level"),
-            RestoreError::OtherEdits => {
-                f.write_str("the level was edited in another way than in the snapshot")
-            }
-            RestoreError::Edit(error) => write!(f, "an edit of the snapshot: {error}"),
-            RestoreError::Mesh(error) => write!(f, "a shape of the snapshot: {error}"),
+        if let Some(away) = self.away {
+            hash.update(&time(away.until).to_le_bytes());
         }
-    }
-}
-
-impl std::error::Error for RestoreError {}
-
-impl World {
-    /// The whole state, at this moment between two ticks.
-    pub fn snapshot(&self) -> Snapshot {
-        Snapshot {
-            fingerprint: self.stage.fingerprint(),
-            edits: self.stage.edits().to_vec(),
-            state: self.state.clone(),
-        }
-    }
-
-    /// The world of a snapshot, in the stage that it was taken in, or in the same before some of its edits.
-    ///
-    /// # Errors
-    /// If the stage is another one.
-    pub fn restore(mut stage: Arc<Stage>, snapshot: Snapshot) -> Result<World, RestoreError> {
-        let Snapshot {
-            fingerprint,
-            edits,
-            state,
-        } = snapshot;
-        if stage.fingerprint() != fingerprint {
-            return Err(RestoreError::OtherLevel);
-        }
-        let missing = edits.strip_prefix(stage.edits());
-        for edit in missing.ok_or(RestoreError::OtherEdits)?.to_vec() {
-            let stage = Arc::make_mut(&mut stage);
-            stage.edit(edit).map_err(RestoreError::Edit)?;
-        }
-        for shape in &state.shapes {
-            stage.land(shape).map_err(RestoreError::Mesh)?;
-        }
-        Ok(World {
-            lands: Arc::new(state.lands(&stage)),
-            traces: vec![Trace::default(); state.actors.len()],
-            stage,
-            state,
-        })
     }
 }

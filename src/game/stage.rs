@@ -3,7 +3,7 @@
 use super::meshes::{Kept, Meshes, Numbered, Plan, Shape};
 use super::paths::{Cause, Route};
 use crate::geom::{BOUND, Collider, Point, STEP};
-use crate::level::{self, By, Concave, Feature, Flaw, Kind, Level};
+use crate::level::{self, By, Concave, Feature, Flaw, Kind, Level, Rect};
 use crate::mesh::{FeatureId, MeshError};
 use crate::motion::{self, Body, Mover, Region, SpawnError, Terrain, Traits};
 use crate::tune::Motion;
@@ -25,6 +25,8 @@ pub struct Stage {
     /// The number of the pit.
     pit: FeatureId,
     traits: Vec<Traits>,
+    /// Where the level's areas are, on the grid.
+    rooms: Vec<Rect>,
     /// Of each mover.
     routes: Vec<Route>,
     /// Some mover turns round by itself; to some it matters who rides them.
@@ -72,6 +74,8 @@ pub enum StageError {
     Mesh(MeshError),
     /// The hero cannot start there.
     Start(SpawnError),
+    /// The hero would start in a hazard: this one, or the pit, which has no name.
+    Deadly(String),
 }
 
 impl std::fmt::Display for StageError {
@@ -83,6 +87,12 @@ impl std::fmt::Display for StageError {
             ),
             StageError::Mesh(error) => write!(f, "mesh: {error}"),
             StageError::Start(error) => write!(f, "start: {error}"),
+            StageError::Deadly(id) if id.is_empty() => {
+                f.write_str("start: the hero would fall out of the level there")
+            }
+            StageError::Deadly(id) => {
+                write!(f, "start: the hero would die there, in feature {id:?}")
+            }
         }
     }
 }
@@ -151,6 +161,7 @@ impl Stage {
             traits,
             features: features.into_iter().map(Some).chain([None, None]).collect(),
             pit,
+            rooms: level.areas.iter().map(|area| on_grid(area.room)).collect(),
             turns: routes.iter().any(Route::turns),
             minds_riders: routes.iter().any(Route::minds_riders),
             routes,
@@ -164,7 +175,11 @@ impl Stage {
         stage.meshes(&Collider::point()).map_err(StageError::Mesh)?;
         let tuning = Motion::default();
         let terrain = land.terrain(&stage, &tuning);
-        Body::spawn(stage.level.start, 0.0, &terrain).map_err(StageError::Start)?;
+        let hero = Body::spawn(stage.level.start, 0.0, &terrain).map_err(StageError::Start)?;
+        if let Some(&id) = hero.regions().iter().find(|&&id| stage.kills(id)) {
+            let feature = stage.feature(id).map(|feature| feature.id.clone());
+            return Err(StageError::Deadly(feature.unwrap_or_default()));
+        }
         Ok(stage)
     }
 
@@ -253,6 +268,12 @@ impl Stage {
         }
     }
 
+    /// Whether a mover waits for something before it sets out.
+    pub(super) fn waits(&self, mover: usize) -> bool {
+        let route = self.routes.get(mover);
+        route.is_some_and(|route| route.cause != Cause::Level)
+    }
+
     /// The triggers that movers wait for, or that call them.
     pub fn triggers(&self) -> impl Iterator<Item = FeatureId> + '_ {
         let movers = 0..self.routes.len();
@@ -274,6 +295,11 @@ impl Stage {
     /// Whether it matters to some mover who rides it.
     pub(super) fn minds_riders(&self) -> bool {
         self.minds_riders
+    }
+
+    /// Where the level's areas are, in their order.
+    pub(super) fn rooms(&self) -> &[Rect] {
+        &self.rooms
     }
 
     /// Changes the level. Meshes are edited in place, unless somebody else holds them.
@@ -349,6 +375,15 @@ fn fingerprint(level: &Level) -> u64 {
     };
     let text = ron::to_string(&played).expect("a level is plain data");
     xxh3_64(text.as_bytes())
+}
+
+/// A room with its corners where the grid has them, as it has those of the ground: who stands on a floor at its height is in it.
+fn on_grid(room: Rect) -> Rect {
+    let snap = |p: DVec2| Point::snap(p).map_or(p, Point::metres);
+    Rect {
+        min: snap(room.min),
+        max: snap(room.max),
+    }
 }
 
 /// The goal box is a region like others, entered by the hero's foot.

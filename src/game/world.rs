@@ -24,6 +24,10 @@ pub struct World {
     pub(super) lands: Arc<Vec<Land>>,
     /// What happened to each body in the last tick.
     pub(super) traces: Vec<Trace>,
+    /// Of each body: how many of these events have had their consequences.
+    pub(super) done: Vec<usize>,
+    /// Of each body: how many were there at the end of the last tick.
+    pub(super) told: Vec<usize>,
 }
 
 /// A body in the world.
@@ -73,31 +77,81 @@ impl World {
             stage,
             lands: Arc::new(vec![land]),
             traces: vec![Trace::default()],
+            done: vec![0],
+            told: vec![0],
         };
+        world.begin(HERO);
+        world.settle();
         world.note_area();
         world
     }
 
-    /// One tick: takes the input, then moves all bodies to the tick's end, event by event; then the rules.
+    /// One tick: takes the input, then moves all bodies to the tick's end, event by event, with what the rules make of them.
     pub fn step(&mut self, input: Input, tuning: &Tuning) {
-        self.traces.iter_mut().for_each(Trace::clear);
+        self.forget_told();
         if self.state.tuning != tuning.motion {
             self.state.tuning = tuning.motion.clone();
+            self.state.marked |= tuning.motion != Motion::default();
             self.each(|body, terrain, trace| body.retune(terrain, trace));
+            self.settle();
         }
-        if input.retry && !self.state.retry {
-            self.restart();
-        } else if input.respawn || self.is_doomed() {
-            self.die(self.time());
+        let is_new = (
+            input.retry && !self.state.retry,
+            input.respawn && !self.state.respawn,
+        );
+        (self.state.retry, self.state.respawn) = (input.retry, input.respawn);
+        match is_new {
+            (true, _) => self.restart(),
+            (_, true) if self.state.away.is_none() && self.state.won_at.is_none() => {
+                self.die(self.time());
+            }
+            _ => {}
         }
-        self.state.retry = input.retry;
         self.state.actors[HERO].control = input.control();
-        self.each_actor(|actor, terrain, trace| actor.body.apply(actor.control, terrain, trace));
+        self.apply_controls();
         self.note_riders(self.time());
         self.state.tick += 1;
         self.run(self.time());
         self.note_events(input);
         self.note_area();
+        self.told();
+    }
+
+    /// All bodies take their controls; who is nowhere has them when he comes.
+    fn apply_controls(&mut self) {
+        let away = self.state.away.is_some();
+        let mut is_hero = true;
+        self.each_actor(
+            |actor, terrain, trace| match std::mem::take(&mut is_hero) && away {
+                true => actor.body.wish(actor.control),
+                false => actor.body.apply(actor.control, terrain, trace),
+            },
+        );
+    }
+
+    /// The traces tell of the next tick from now on, and of what has happened since the last one.
+    fn forget_told(&mut self) {
+        for ((trace, done), told) in self
+            .traces
+            .iter_mut()
+            .zip(&mut self.done)
+            .zip(&mut self.told)
+        {
+            trace.forget(*told);
+            (*done, *told) = (*done - *told, 0);
+        }
+    }
+
+    /// All events have been told at the end of a tick.
+    fn told(&mut self) {
+        for (told, trace) in self.told.iter_mut().zip(&self.traces) {
+            *told = trace.events.len();
+        }
+    }
+
+    /// From now on the run counts for no best time.
+    pub fn mark(&mut self) {
+        self.state.marked = true;
     }
 
     /// Does something with every body in its terrain.
@@ -139,7 +193,11 @@ impl World {
             body,
         });
         self.traces.push(Trace::default());
-        Ok(self.state.actors.len() - 1)
+        (self.done.push(0), self.told.push(0));
+        let number = self.state.actors.len() - 1;
+        self.begin(number);
+        self.settle();
+        Ok(number)
     }
 
     /// What a body other than the hero shall want from the next tick on.
@@ -156,6 +214,9 @@ impl World {
     pub fn put(&mut self, at: DVec2) -> Result<(), SpawnError> {
         let terrain = self.lands[HERO].terrain(&self.stage, &self.state.tuning);
         self.state.actors[HERO].body = Body::spawn(at, self.time(), &terrain)?;
+        self.state.away = None;
+        self.begin(HERO);
+        self.settle();
         self.note_area();
         Ok(())
     }
@@ -198,37 +259,57 @@ impl World {
             let anchor = anchors.next().expect("every body has its anchor");
             body.rehome(anchor, terrain, trace);
         });
+        self.state.marked = true;
+        self.settle();
+        self.look_for_way_back(self.time());
         Ok(())
     }
 
-    /// Goes on in another version of the level: bodies stay where they are if that place is free; else the hero
-    /// restarts, and others are gone.
+    /// Goes on in another version of the level: bodies stay where they are, as fast as they are, if that place is free; else
+    /// the hero restarts, and others are gone.
     pub fn replace_stage(&mut self, stage: Arc<Stage>) {
         self.state.forget_level(&stage);
         self.stage = stage;
         self.lands = Arc::new(self.state.lands(&self.stage));
-        let (time, traces) = (self.time(), &mut self.traces);
+        let mut lost = self.state.away.is_some();
         let State { actors, tuning, .. } = &mut self.state;
         let mut index = 0;
-        let mut lost = false;
+        let mut traces = std::mem::take(&mut self.traces).into_iter();
         actors.retain_mut(|actor| {
+            let mut trace = traces.next().unwrap_or_default();
+            trace.clear();
             let terrain = self.lands[actor.shape].terrain(&self.stage, tuning);
-            let (p, v) = (actor.body.position(), actor.body.velocity());
-            let placed = Body::spawn(p, time, &terrain).map(|mut body| {
-                body.set_velocity(v, &terrain, &mut traces[index]);
-                actor.body = body;
-            });
-            let stays = index == HERO || placed.is_ok();
-            lost |= index == HERO && placed.is_err();
+            let moved = actor.body.moved_to(&terrain, &mut trace);
+            let is_hero = index == HERO;
             index += 1;
+            // In the new meshes the old body has no place: nobody may ask it for one.
+            let nobody = || Body::absent(actor.body.position(), actor.body.time(), &terrain);
+            let stays = moved.is_ok() || is_hero;
+            lost |= is_hero && moved.is_err();
+            let held = actor.body.control();
+            actor.body = moved.unwrap_or_else(|_| nobody());
+            actor.body.wish(held);
+            if stays {
+                self.traces.push(trace);
+            }
             stays
         });
-        self.traces
-            .resize_with(self.state.actors.len(), Trace::default);
+        self.begin_again(lost);
+        self.note_area();
+    }
+
+    /// What is left to do for bodies that have been put into another level.
+    fn begin_again(&mut self, lost: bool) {
+        let bodies = self.state.actors.len();
+        (self.done, self.told) = (vec![0; bodies], vec![0; bodies]);
+        for body in usize::from(lost)..bodies {
+            self.traces[body].events.clear();
+            self.begin(body);
+        }
         if lost {
             self.restart();
         }
-        self.note_area();
+        self.settle();
     }
 
     /// What to draw.
@@ -259,6 +340,9 @@ impl World {
             landed_speed: state.landed_speed,
             won_at: state.won_at,
             deaths: state.deaths,
+            away: state.away,
+            returned: state.returned,
+            marked: state.marked,
             began_at: state.began_at,
             area: state.area,
             secrets: state.secrets.len() as u32,
@@ -281,7 +365,7 @@ impl World {
 
     /// The checkpoint at which the hero would come back; `None`: at the start.
     pub fn checkpoint(&self) -> Option<&Feature> {
-        self.stage.feature(self.state.checkpoint?)
+        self.stage.feature(self.state.checkpoint()?)
     }
 
     /// The mesh of what carries the hero: of a mover, where it was drawn, or of the level.
@@ -396,6 +480,9 @@ impl View {
             landed_speed: 0.0,
             won_at: None,
             deaths: 0,
+            away: None,
+            returned: None,
+            marked: false,
             began_at: 0.0,
             area: 0,
             secrets: 0,

@@ -61,8 +61,13 @@ pub struct Hero {
 impl Hero {
     /// The sounds of a tick.
     pub fn hear(&mut self, moment: &Moment, cues: &mut Vec<Cue>, loops: &mut [Level; LOOPS]) {
-        if moment.now.deaths > moment.before.deaths {
+        let (before, now) = (moment.before, moment.now);
+        if now.deaths > before.deaths {
             return self.hear_death(moment, cues);
+        }
+        let waited = before.away.is_some() && now.away.is_none() && now.began_at == before.began_at;
+        if let Some(last) = now.returned.filter(|_| waited) {
+            cues.push(self.cue(Sound::Respawn, 1.0, last.at, moment));
         }
         self.hear_ends(moment, cues);
         for event in &moment.world.trace().events {
@@ -104,7 +109,9 @@ impl Hero {
             cues.push(self.cue(Sound::Splash, 1.0, at, moment));
         }
         cues.push(self.cue(Sound::Death, 1.0, at, moment));
-        cues.push(self.cue(Sound::Respawn, 1.0, at + RETURN, moment));
+        if moment.now.away.is_none() {
+            cues.push(self.cue(Sound::Respawn, 1.0, at + RETURN, moment));
+        }
         self.step = 0.0;
     }
 

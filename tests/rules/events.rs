@@ -1,14 +1,11 @@
-//! What events mean: deaths, checkpoints, goals and triggers, each at its own time between two ticks.
+//! Hazards, checkpoints, secrets, goals, triggers and crushers, at their own times.
 
-#[path = "common/hall.rs"]
-mod hall;
-
+use super::hall::{block, play, region, world};
 use edgewalker::game::{Input, Shape, Stage, World};
 use edgewalker::level::{Area, Easing, Feature, Kind, Mood, Mover, Rect, Repeat, Starts, Stop};
 use edgewalker::motion::{Control, EventKind};
 use edgewalker::tune::{Motion, Tuning};
 use glam::DVec2;
-use hall::{block, play, region, world};
 use std::sync::Arc;
 
 const RATES: [u32; 6] = [15, 30, 60, 120, 250, 1000];
