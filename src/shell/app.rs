@@ -351,7 +351,7 @@ impl App {
         if self.paused && self.controls.wants_retry() {
             self.pause(false);
         }
-        if self.paused {
+        if self.paused || self.front.menu.root() == Some(Screen::Results) {
             return;
         }
         if self.play.is_falling() {
@@ -386,17 +386,12 @@ impl App {
         if self.log.push(input) {
             self.tell_recording_ends("it is as long as a replay may be");
         }
-        let deaths = self.play.world.view().deaths;
+        if self.speed() != 1.0 {
+            self.play.world.mark();
+        }
         self.play.tick(input, self.controls.look(), &self.tuning);
         self.note_tick();
         self.hear_tick();
-        if self.play.world.view().deaths != deaths {
-            let place = match self.play.world.checkpoint() {
-                Some(_) => "checkpoint",
-                None => "start",
-            };
-            self.notices.say(format!("Back at the {place}"));
-        }
         true
     }
 

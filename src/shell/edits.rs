@@ -250,6 +250,7 @@ impl App {
     /// One tick, after which time stands still.
     fn step_once(&mut self) {
         self.pause(true);
+        self.play.world.mark();
         self.tick();
     }
 }

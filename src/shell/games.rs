@@ -10,8 +10,23 @@ use super::reload::Watch;
 use super::runs::Feed;
 use super::settings::progress::{Results, clock};
 use crate::cli::load;
-use crate::game::{Run, View, World};
+use crate::game::{Back, Run, View, World};
 use std::time::Duration;
+
+/// Where the hero has come back between two moments of a run, if he has.
+fn way_back(before: &View, now: &View) -> Option<&'static str> {
+    let last = now.returned.filter(|_| now.returned != before.returned)?;
+    if now.began_at != before.began_at {
+        return None;
+    }
+    Some(match (last.back, now.checkpoint) {
+        (Back::Last, Some(_)) => "Back at the checkpoint",
+        (Back::Last, None) => "Back at the start",
+        (Back::Earlier, _) => "The checkpoint is closed: back at an earlier one",
+        (Back::Start, _) => "The checkpoint is closed: back at the start",
+        (Back::Anew, _) => "The way back was closed: all that moves begins anew",
+    })
+}
 
 /// Seconds from the goal to what the run came to.
 const SAVOUR: f64 = 1.6;
@@ -56,6 +71,7 @@ impl App {
             deaths: view.deaths,
             secrets: (view.secrets, self.play.world.stage().secret_count() as u32),
             best_before: None,
+            marked: view.marked,
         }
     }
 
@@ -72,8 +88,12 @@ impl App {
         format!("{place}   ·   {}   ·   {deaths}", clock(view.run_time()))
     }
 
-    /// Sees what a tick has brought: a checkpoint is told; it, deaths, secrets and the goal are kept at once.
+    /// Sees what a tick has brought: a checkpoint and a way back are told; checkpoints, deaths, secrets and the goal are kept at once.
     pub(super) fn note_tick(&mut self) {
+        let (before, now) = self.play.moments();
+        if let Some(words) = way_back(before, now) {
+            self.notices.say(words);
+        }
         let world = &self.play.world;
         let view = world.view();
         let checkpoint = world.checkpoint().map(|feature| feature.id.as_str());

@@ -7,7 +7,7 @@ use super::notices::Notices;
 use super::settings::progress::clock;
 use super::settings::{Bindings, Deed};
 use super::text::{Face, Style, Symbol, Text};
-use crate::game::{View, World};
+use crate::game::{Away, Back, View, World};
 use std::fmt::Write;
 use std::mem::take;
 
@@ -191,6 +191,9 @@ impl Hud {
             let (time, deaths) = (clock(scene.view.run_time()), scene.view.deaths);
             let _ = write!(self.words, "{time}   deaths {deaths}"); // a String takes everything
             pen.name("Goal reached", Some(&self.words), age.clamp(0.0, 1.0));
+        } else if let Some(away) = &scene.view.away {
+            waiting(&mut self.words, away, scene.view);
+            pen.word(&self.words, 1.0);
         } else {
             self.place(&mut pen);
         }
@@ -430,6 +433,20 @@ impl<'a> Pen<'a> {
     }
 }
 
+/// What is waited for, and how long still, for a hero who is nowhere.
+fn waiting(words: &mut String, away: &Away, view: &View) {
+    let place = match (away.back, view.checkpoint) {
+        (Back::Last, Some(_)) => "checkpoint",
+        (Back::Earlier, _) => "earlier checkpoint",
+        (Back::Last | Back::Start | Back::Anew, _) => "start",
+    };
+    let left = away.until.map(|until| (until - view.time).max(0.0));
+    let _ = match left {
+        Some(left) => write!(words, "Waiting until the {place} is free: {left:.1} s"),
+        None => write!(words, "The {place} is closed"),
+    }; // a String takes everything
+}
+
 /// How visible something is that comes, stays and goes.
 fn shown(now: f32, [there, going, gone]: [f32; 3]) -> f32 {
     let (come, go) = (now / there, (gone - now) / (gone - going));
@@ -439,6 +456,7 @@ fn shown(now: f32, [there, going, gone]: [f32; 3]) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use glam::DVec2;
 
     #[test]
     fn a_name_comes_stays_and_goes() {
@@ -446,6 +464,34 @@ mod tests {
         for (found, wanted) in times.into_iter().zip([0.0, 0.5, 1.0, 0.5, 0.0]) {
             assert!((found - wanted).abs() < 1e-6, "{times:?}");
         }
+    }
+
+    #[test]
+    fn a_wait_says_for_what_and_how_long() {
+        let said = |back, until, checkpoint: Option<DVec2>| {
+            let view = View {
+                time: 3.0,
+                checkpoint,
+                ..View::at(DVec2::ZERO)
+            };
+            let mut words = String::new();
+            waiting(&mut words, &Away::new(2.0, until, back), &view);
+            words
+        };
+        let camp = Some(DVec2::ONE);
+        assert_eq!(
+            said(Back::Last, Some(4.25), camp),
+            "Waiting until the checkpoint is free: 1.2 s"
+        );
+        assert_eq!(
+            said(Back::Last, Some(2.9), None),
+            "Waiting until the start is free: 0.0 s"
+        );
+        assert_eq!(
+            said(Back::Earlier, Some(4.0), camp),
+            "Waiting until the earlier checkpoint is free: 1.0 s"
+        );
+        assert_eq!(said(Back::Last, None, None), "The start is closed");
     }
 
     #[test]

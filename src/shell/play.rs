@@ -154,6 +154,7 @@ impl Play {
         let puppet = self.puppet.as_ref()?;
         match self.fall {
             Some(_) => puppet.struck(),
+            None if self.now.away.is_some() => None,
             None => Some(puppet.shown(share)),
         }
     }

@@ -21,6 +21,7 @@ fn further(a: &Run, b: &Run) -> Ordering {
     (a.seconds.total_cmp(&b.seconds))
         .then(known(a).cmp(&known(b)))
         .then_with(|| (&a.checkpoint, &a.secrets).cmp(&(&b.checkpoint, &b.secrets)))
+        .then_with(|| format!("{a:?}").cmp(&format!("{b:?}")))
 }
 
 impl Record {
@@ -42,6 +43,7 @@ impl Record {
     fn take(&mut self, other: &Record, before: u32) {
         self.take_run(other.reached, other.run.clone());
         self.best_seconds = best(self.best_seconds, other.best_seconds, f64::min);
+        self.marked_seconds = best(self.marked_seconds, other.marked_seconds, f64::min);
         self.fewest_deaths = best(self.fewest_deaths, other.fewest_deaths, u32::min);
         self.most_secrets = self.most_secrets.max(other.most_secrets);
         self.found.extend(other.found.iter().cloned());

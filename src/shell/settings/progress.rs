@@ -9,6 +9,9 @@ use std::time::SystemTime;
 /// Version of the file.
 pub const VERSION: u32 = 1;
 
+/// What is said of a time that counts for no best one.
+pub const MARKED: &str = "with other speed or tuning";
+
 /// Everything that has been reached.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, rename = "Progress")]
@@ -31,9 +34,12 @@ pub struct Record {
     pub run: Option<Run>,
     /// When it was begun, came to its checkpoint or ended: a [`now`]. The newest of several is kept.
     pub reached: u64,
-    /// Shortest time to the goal, in seconds.
+    /// Shortest time to the goal, in seconds, of the runs at full speed with the game's own tuning.
     pub best_seconds: Option<f64>,
-    /// Fewest deaths on the way there.
+    /// The same of all others.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub marked_seconds: Option<f64>,
+    /// Fewest deaths on the way there, in the runs that count.
     pub fewest_deaths: Option<u32>,
     /// Most secrets found in one run.
     pub most_secrets: u32,
@@ -46,18 +52,19 @@ pub struct Record {
 impl Record {
     /// The best of all runs that came to the goal, in a line; empty if none did.
     pub fn in_a_line(&self) -> String {
-        let Some(seconds) = self.best_seconds else {
-            return String::new();
+        let best = self.best_seconds.map(|seconds| {
+            let deaths = self.fewest_deaths.unwrap_or_default();
+            format!("Best time {}   ·   fewest deaths {deaths}", clock(seconds))
+        });
+        let marked = self.marked_seconds;
+        let marked = marked.map(|seconds| format!("{} {MARKED}", clock(seconds)));
+        let secrets = match (self.most_secrets, self.finished) {
+            (0, _) | (_, 0) => None,
+            (most, _) => Some(format!("most secrets {most}")),
         };
-        let secrets = match self.most_secrets {
-            0 => String::new(),
-            most => format!("   ·   most secrets {most}"),
-        };
-        let deaths = self.fewest_deaths.unwrap_or_default();
-        format!(
-            "Best time {}   ·   fewest deaths {deaths}{secrets}",
-            clock(seconds)
-        )
+        let parts = [best, marked, secrets];
+        let parts: Vec<String> = parts.into_iter().flatten().collect();
+        parts.join("   ·   ")
     }
 }
 
@@ -72,18 +79,21 @@ pub struct Results {
     pub secrets: (u32, u32),
     /// The shortest time before this run, in seconds.
     pub best_before: Option<f64>,
+    /// It counts for no best time.
+    pub marked: bool,
 }
 
 impl Results {
-    /// The shortest time that there is now.
-    pub fn best(&self) -> f64 {
-        self.best_before
-            .map_or(self.seconds, |best| best.min(self.seconds))
+    /// The shortest time that there is now, if there is one.
+    pub fn best(&self) -> Option<f64> {
+        let own = Some(self.seconds).filter(|_| !self.marked);
+        let both = self.best_before.into_iter().chain(own);
+        both.min_by(f64::total_cmp)
     }
 
     /// This run was the fastest of several.
     pub fn is_record(&self) -> bool {
-        self.best_before.is_some_and(|best| self.seconds < best)
+        !self.marked && self.best_before.is_some_and(|best| self.seconds < best)
     }
 }
 
@@ -109,7 +119,7 @@ impl Progress {
         record.take_run(reached, Some(run));
     }
 
-    /// A run has come to the goal.
+    /// A run has come to the goal, in a level with so many secrets.
     pub fn finish(&mut self, level: &str, run: &Run, of: u32) -> Results {
         let at = self.stamp(level);
         self.take_last(at, Some(level.to_owned()));
@@ -121,11 +131,17 @@ impl Progress {
             deaths,
             secrets,
             best_before: record.best_seconds,
+            marked: run.marked,
         };
         record.take_run(at, None);
         record.found.extend(run.secrets.iter().cloned());
-        record.best_seconds = Some(results.best());
-        record.fewest_deaths = Some(record.fewest_deaths.map_or(deaths, |f| f.min(deaths)));
+        record.best_seconds = results.best();
+        if run.marked {
+            let best = record.marked_seconds;
+            record.marked_seconds = Some(best.map_or(seconds, |best| best.min(seconds)));
+        } else {
+            record.fewest_deaths = Some(record.fewest_deaths.map_or(deaths, |f| f.min(deaths)));
+        }
         record.most_secrets = record.most_secrets.max(secrets.0);
         record.finished += 1;
         results
@@ -142,6 +158,10 @@ impl Progress {
             if record.best_seconds.is_some_and(|best| !is_time(best)) {
                 complaints.push(format!("{level}: best_seconds is no time and left out"));
                 record.best_seconds = None;
+            }
+            if record.marked_seconds.is_some_and(|best| !is_time(best)) {
+                complaints.push(format!("{level}: marked_seconds is no time and left out"));
+                record.marked_seconds = None;
             }
             if record.run.as_ref().is_some_and(|run| !is_time(run.seconds)) {
                 complaints.push(format!(
@@ -178,25 +198,58 @@ pub fn clock(seconds: f64) -> Clock {
 mod tests {
     use super::*;
 
-    #[test]
-    fn the_best_of_several_runs_is_kept() {
-        let mut progress = Progress::default();
-        let run = |seconds: f64, deaths: u32, secrets: &[&str]| Run {
-            checkpoint: None,
+    /// A run at its goal.
+    fn won(seconds: f64, deaths: u32, secrets: &[&str]) -> Run {
+        Run {
             seconds,
             deaths,
             secrets: secrets.iter().map(ToString::to_string).collect(),
-        };
-        let first = progress.finish("a", &run(100.0, 3, &["x"]), 4);
-        assert!(!first.is_record() && first.best() == 100.0 && first.secrets == (1, 4));
-        let slower = progress.finish("a", &run(120.0, 0, &["x", "y", "z"]), 4);
-        assert!(!slower.is_record() && slower.best() == 100.0);
-        let faster = progress.finish("a", &run(80.0, 9, &["w"]), 4);
+            ..Run::default()
+        }
+    }
+
+    #[test]
+    fn the_best_of_several_runs_is_kept() {
+        let mut progress = Progress::default();
+        let first = progress.finish("a", &won(100.0, 3, &["x"]), 4);
+        assert!(!first.is_record() && first.best() == Some(100.0) && first.secrets == (1, 4));
+        let slower = progress.finish("a", &won(120.0, 0, &["x", "y", "z"]), 4);
+        assert!(!slower.is_record() && slower.best() == Some(100.0));
+        let faster = progress.finish("a", &won(80.0, 9, &["w"]), 4);
         assert!(faster.is_record() && faster.best_before == Some(100.0));
         let record = &progress.levels["a"];
         assert_eq!(record.best_seconds, Some(80.0));
         assert_eq!((record.fewest_deaths, record.most_secrets), (Some(0), 3));
         assert_eq!((record.finished, record.found.len()), (3, 4));
+    }
+
+    #[test]
+    fn a_marked_run_is_shown_and_is_no_best_one() {
+        let mut progress = Progress::default();
+        let slow = |seconds: f64| Run {
+            marked: true,
+            ..won(seconds, 0, &["x", "y"])
+        };
+        let first = progress.finish("a", &slow(50.0), 4);
+        assert!(first.marked && !first.is_record() && first.best().is_none());
+        assert_eq!(
+            progress.levels["a"].in_a_line(),
+            "0:50.00 with other speed or tuning   ·   most secrets 2"
+        );
+        assert_eq!(
+            progress.finish("a", &won(100.0, 3, &["x"]), 4).best(),
+            Some(100.0)
+        );
+        let second = progress.finish("a", &slow(60.0), 4);
+        assert!(!second.is_record() && second.best() == Some(100.0));
+        let record = &progress.levels["a"];
+        let times = (record.best_seconds, record.marked_seconds);
+        assert_eq!(times, (Some(100.0), Some(50.0)));
+        assert_eq!((record.fewest_deaths, record.finished), (Some(3), 3));
+        // An older game writes none, and a file of its is read.
+        let old = "(best_seconds: Some(9.0), finished: 1)";
+        let old: Record = ron::from_str(old).unwrap();
+        assert_eq!((old.best_seconds, old.marked_seconds), (Some(9.0), None));
     }
 
     #[test]
@@ -247,7 +300,7 @@ mod tests {
             record.in_a_line(),
             "Best time 1:23.45   ·   fewest deaths 2"
         );
-        record.most_secrets = 7;
+        (record.most_secrets, record.finished) = (7, 1);
         assert!(record.in_a_line().ends_with("most secrets 7"));
     }
 }

@@ -7,7 +7,7 @@ use super::super::values::{self, Value};
 use super::super::{BUTTON_COLUMN, caps, credits};
 use super::{ALARM, NOTES, PAPER, Page, WARM};
 use crate::shell::settings::bindings::Input;
-use crate::shell::settings::progress::clock;
+use crate::shell::settings::progress::{MARKED, clock};
 use crate::shell::text::{Face, Style, Symbol};
 use caps::with_alpha;
 
@@ -85,9 +85,10 @@ impl Page<'_> {
         } = *self.layout;
         let value = left + 150.0 * unit;
         let mut y = measures.heading[1] + 84.0 * unit;
+        let best = results.best().map(|best| clock(best).to_string());
         let figures = [
             ("Time", clock(results.seconds).to_string()),
-            ("Best", clock(results.best()).to_string()),
+            ("Best", best.unwrap_or_default()),
             ("Deaths", results.deaths.to_string()),
             (
                 "Secrets",
@@ -95,7 +96,11 @@ impl Page<'_> {
             ),
         ];
         let style = self.style(26.0 * unit);
-        let is_there = |name: &str| name != "Secrets" || results.secrets.1 > 0;
+        let is_there = |name: &str| match name {
+            "Secrets" => results.secrets.1 > 0,
+            "Best" => results.best().is_some(),
+            _ => true,
+        };
         for (name, words) in figures.into_iter().filter(|(name, _)| is_there(name)) {
             self.text.write(style.faded(NOTES), left, y, name);
             let end = self.text.write(style, value, y, &words);
@@ -107,6 +112,10 @@ impl Page<'_> {
                 self.text
                     .symbol(Symbol::Lozenge, at, 13.0 * unit, warm.colour);
                 self.text.write(warm, end + 48.0 * unit, y, "New record");
+            }
+            if name == "Time" && results.marked {
+                let small = self.style(18.0 * unit).faded(NOTES);
+                self.text.write(small, end + 24.0 * unit, y, MARKED);
             }
             y += 44.0 * unit;
         }

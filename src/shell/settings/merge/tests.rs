@@ -23,6 +23,7 @@ impl Dice {
             seconds: self.below(4) as f64 / 4.0,
             deaths: self.below(3) as u32,
             secrets: secrets.into_iter().collect(),
+            ..Run::default()
         }
     }
 
