@@ -462,3 +462,26 @@ fn a_bad_level_fails_the_check_and_the_place_is_named() {
     );
     expect(command, 1, &["idle.ron: not as it should be"]);
 }
+
+#[test]
+fn what_moves_over_a_place_of_return_is_told_by_the_check() {
+    let folder = Folder::new("sweeps");
+    let press = "(version: 1, name: \"press\", start: (-6, 0), goal: (min: (900, 0), max: (901, 1)), bottom: -40,
+        features: [(id: \"floor\", outline: [(-20,-2),(20,-2),(20,0),(-20,0)]),
+            (id: \"camp\", kind: Checkpoint, respawn: Some((0,0)), outline: [(-1,0),(1,0),(1,2),(-1,2)])],
+        movers: [(id: \"press\", features: [(id: \"head\", outline: [(-1,4),(1,4),(1,7),(-1,7)])],
+            path: [(at: (0,0), wait: 1.5, seconds: 1),(at: (0,-3), wait: 0.5, seconds: 1)]),
+            (id: \"cart\", features: [(id: \"box\", outline: [(4,0.01),(5,0.01),(5,1),(4,1)])],
+            path: [(at: (0,0), seconds: 1),(at: (-2,0), seconds: 1)])])";
+    let press = folder.write("press.ron", press);
+    let mut command = program(&["--check", &press, "--ticks", "100"]);
+    let out = String::from_utf8(command.output().unwrap().stdout).unwrap();
+    // Its head is 109/64 m high.
+    assert!(
+        out.contains(
+            "wrong     mover \"press\": 2.266 s after it sets out it comes over where checkpoint \"camp\" puts the hero"
+        ),
+        "{out}"
+    );
+    assert!(!out.contains("cart") && !out.contains("the start"), "{out}");
+}

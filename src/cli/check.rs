@@ -3,6 +3,7 @@
 
 mod meshes;
 mod purpose;
+mod sweeps;
 mod walks;
 
 use super::load::{self, LoadError};
@@ -14,7 +15,8 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// The parts of the check, in the order in which they are done and told.
-const PARTS: &[fn(&Case, &mut Report)] = &[meshes::check, purpose::check, walks::check];
+const PARTS: &[fn(&Case, &mut Report)] =
+    &[meshes::check, purpose::check, sweeps::check, walks::check];
 
 /// Ticks that are walked unless asked otherwise.
 pub const TICKS: u64 = 100_000;
