@@ -77,7 +77,8 @@ impl Mover {
     pub fn crushers(&self) -> impl Iterator<Item = &Feature> {
         let stamps = self.legs().any(|(from, to)| is_upright(to - from));
         let parts = self.features.iter();
-        parts.filter(move |feature| stamps && feature.material == Material::Iron)
+        let is_iron = |f: &Feature| f.kind.is_terrain() && f.material == Material::Iron;
+        parts.filter(move |feature| stamps && is_iron(feature))
     }
 }
 

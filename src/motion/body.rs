@@ -386,10 +386,13 @@ impl Body {
 
     /// The mesh of what carries the body, as it meets it.
     pub(super) fn ground<'a>(&self, terrain: &Terrain<'a>) -> Ground<'a> {
-        terrain
-            .ground_under(self.carrier(), self.size)
-            .climbed(self.climbing)
-            .with_ladder(self.ladder == self.carrier())
+        let mesh = terrain.ground_under(self.carrier(), self.size);
+        match self.climbing {
+            true => mesh
+                .climbed(true)
+                .with_ladder(self.ladder == self.carrier()),
+            false => mesh,
+        }
     }
 
     /// The mesh of the level, as the body meets it, whatever carries it.

@@ -73,6 +73,9 @@ impl Body {
 
     /// Tells of a moving solid that minds it that the body has come to stand on it, or is on it no longer.
     pub(super) fn note_ride(&mut self, terrain: &Terrain, trace: &mut Trace) {
+        if terrain.movers.is_empty() {
+            return;
+        }
         let mover = match &self.mode {
             _ if self.climbing => self.ladder,
             Mode::Surface(on) if !on.walkable && on.grip == Grip::None => None,
