@@ -199,6 +199,9 @@ impl Body {
     /// What an edge asks for, if the body has not been moved away from it since.
     fn demand(&self, m: &Meeting, terrain: &Terrain) -> Option<Demand> {
         let now = self.time;
+        if m.size != self.size {
+            return None; // that edge is of another mesh
+        }
         let piece = match m.mover == self.carrier() {
             true => self.frame_piece(),
             false => self.beside.iter().find(|b| b.mover() == m.mover)?.piece(),
@@ -208,7 +211,7 @@ impl Body {
         let edge = mesh.segment(m.segment);
         let beyond = track.past(q, [edge.a, edge.b]);
         let away = beyond.max(track.height(q, q, q).0.abs());
-        let near = m.size == self.size && away <= f64::from(JOINT_STEPS) * STEP;
+        let near = away <= f64::from(JOINT_STEPS) * STEP;
         near.then(|| Demand {
             n: track.normal,
             speed: track.normal.dot(piece.velocity(now)),
