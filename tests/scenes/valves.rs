@@ -100,24 +100,24 @@ fn a_line_drawn_from_right_to_left_is_a_ceiling_to_who_comes_from_below() {
 #[test]
 fn it_holds_like_the_side_of_a_solid() {
     // The same side of a line and of a solid: who comes from its front moves in the same bits.
-    let sides: [(&[(f64, f64)], &[(f64, f64)]); 4] = [
+    let sides: [[&[(f64, f64)]; 2]; 4] = [
         // A wall that leans back, one that overhangs, a ceiling that falls to the right, a wall with a floor on top.
-        (
+        [
             &[(0.0, 0.0), (2.0, 5.0)],
             &[(0.0, 0.0), (2.0, 0.0), (2.0, 5.0)],
-        ),
-        (
+        ],
+        [
             &[(0.5, -1.0), (0.0, 6.0)],
             &[(0.5, -1.0), (3.0, -1.0), (3.0, 6.0), (0.0, 6.0)],
-        ),
-        (
+        ],
+        [
             &[(6.0, 4.5), (-6.0, 5.5)],
             &[(6.0, 4.5), (6.0, 9.0), (-6.0, 9.0), (-6.0, 5.5)],
-        ),
-        (
+        ],
+        [
             &[(1.0, -1.0), (1.0, 0.7), (9.0, 0.7)],
             &[(1.0, -1.0), (9.0, -1.0), (9.0, 0.7), (1.0, 0.7)],
-        ),
+        ],
     ];
     let lives = [
         (v(-1.0, 3.0), v(3.0, 2.0)),
@@ -126,7 +126,7 @@ fn it_holds_like_the_side_of_a_solid() {
         (v(-1.5, 0.0), v(0.0, 14.0)),
     ];
     let floor = || hero(Scene::boxed()).rect((-50.0, 50.0), (-2.0, 0.0));
-    for (line, solid) in sides {
+    for [line, solid] in sides {
         for (at, velocity) in lives {
             let states = |scene: &Scene| {
                 let out = std::cell::RefCell::new(Vec::new());
