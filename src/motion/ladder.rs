@@ -237,8 +237,8 @@ impl Body {
         }
         if self.climbing && !self.is_mounting() {
             self.keep_hold(terrain, trace);
+            self.mount_as_wished(terrain);
         }
-        self.mount_as_wished(terrain);
         let Some(hold) = self.hold_wished(terrain) else {
             return;
         };

@@ -166,11 +166,17 @@ impl Body {
     }
 
     /// When the feet of one who climbs from the end of a ladder come to the ground, or beside it, if that comes first.
-    pub(super) fn sooner_if_mounts(&self, next: Option<(f64, Next)>) -> Option<(f64, Next)> {
-        let (Some(mount), Mode::Air(air)) = (self.mount.filter(|_| self.climbing), &self.mode)
-        else {
+    pub(super) fn sooner_if_mounts(
+        &self,
+        mount: &Mount,
+        next: Option<(f64, Next)>,
+    ) -> Option<(f64, Next)> {
+        let Mode::Air(air) = &self.mode else {
             return next;
         };
+        if !self.climbing {
+            return next;
+        }
         let left = mount.to - air.p0;
         let at = match mount.aside {
             true => {

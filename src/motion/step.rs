@@ -468,7 +468,10 @@ impl Body {
         };
         let found = self.sooner_if_clear(found, terrain);
         let found = self.sooner_if_grabs(found, terrain);
-        let found = self.sooner_if_mounts(found);
+        let found = match self.mount {
+            Some(mount) => self.sooner_if_mounts(&mount, found),
+            None => found,
+        };
         let own = self
             .sooner_if_unlocked(found)
             .map(|(at, what)| (at.max(self.time), what));
