@@ -38,7 +38,7 @@ impl Carried {
             model.add(&fixtures.model, Mat4::IDENTITY);
             lamps.extend(fixtures.lamps.into_iter().map(|lamp| (number, lamp)));
             for feature in &mover.features {
-                add_resting_arrows(feature, &mut model);
+                add_resting_arrows(feature, &features, &mut model);
             }
             for feature in mover.crushers() {
                 dangers::crusher(feature, terrain::FRONT + PROUD, &mut model);
@@ -46,15 +46,14 @@ impl Carried {
             model
         });
         let movers = model.collect();
+        let still: Vec<&Feature> = stage.level.features.iter().collect();
+        let belts = still
+            .iter()
+            .flat_map(|feature| fixtures::arrows(feature, &still));
         Carried {
             movers,
             lamps,
-            belts: stage
-                .level
-                .features
-                .iter()
-                .flat_map(fixtures::arrows)
-                .collect(),
+            belts: belts.collect(),
         }
     }
 
@@ -91,8 +90,8 @@ impl Carried {
 }
 
 /// The arrows of a belt that is itself carried show where it runs, and no more.
-fn add_resting_arrows(feature: &Feature, model: &mut Model) {
-    for belt in fixtures::arrows(feature) {
+fn add_resting_arrows(feature: &Feature, features: &[&Feature], model: &mut Model) {
+    for belt in fixtures::arrows(feature, features) {
         for i in 0..belt.count {
             let at = belt.from + belt.step * (i as f32 + 0.5);
             model.add(&belt.model, Mat4::from_translation(at));
@@ -113,7 +112,7 @@ mod tests {
             ..Feature::default()
         };
         let carried = Carried {
-            belts: fixtures::arrows(&belt),
+            belts: fixtures::arrows(&belt, &[]),
             ..Carried::default()
         };
         let tips = |time: f64| {

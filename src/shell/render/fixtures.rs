@@ -6,6 +6,7 @@ use super::dangers;
 use super::frame::PointLight;
 use super::kit::{Kit, Part};
 use super::model::{Model, Paint, hash, paint};
+use super::seen::unburied;
 use super::shards::{DIM, Shards};
 use super::terrain::EDGE;
 use crate::level::{Feature, Kind, Level, Material};
@@ -53,7 +54,7 @@ pub fn build(kit: &Kit, features: &[&Feature], shards: &mut Shards) -> Built {
     let mut built = Built::default();
     for feature in features {
         match feature.kind {
-            Kind::Solid => solid(kit, feature, &mut built.model),
+            Kind::Solid => solid(kit, feature, features, &mut built.model),
             Kind::OneWay => planks(feature, &mut built.model),
             Kind::Ladder => ladder(kit, feature, &mut built.model),
             Kind::Hazard => {
@@ -116,9 +117,13 @@ fn on(a: Vec2, b: Vec2, share: f32, z: f32) -> Vec3 {
     a.lerp(b, share).extend(z)
 }
 
-/// Arrows along belts, vines on walls that can be climbed.
-fn solid(kit: &Kit, feature: &Feature, model: &mut Model) {
-    for (a, b) in edges(feature) {
+/// Bands along belts, vines on walls that can be climbed: where nothing buries them.
+fn solid(kit: &Kit, feature: &Feature, features: &[&Feature], model: &mut Model) {
+    if feature.conveyor == 0.0 && !feature.climbable {
+        return;
+    }
+    let pieces = edges(feature).into_iter();
+    for (a, b) in pieces.flat_map(|edge| unburied(edge, feature, features)) {
         let along = (b - a).normalize_or_zero();
         let outward = -along.perp();
         if feature.conveyor != 0.0 && outward.y > 0.5 {
@@ -181,12 +186,17 @@ pub struct Arrows {
     pub pace: f32,
 }
 
-/// The arrows of all belts of a feature.
-pub fn arrows(feature: &Feature) -> Vec<Arrows> {
+/// The arrows of all belts of a feature, where nothing of some features buries them.
+pub fn arrows(feature: &Feature, features: &[&Feature]) -> Vec<Arrows> {
     let speed = feature.conveyor as f32;
-    let runs = edges(feature).into_iter().filter(|(a, b)| {
+    if speed == 0.0 {
+        return Vec::new();
+    }
+    let pieces = edges(feature).into_iter();
+    let pieces = pieces.flat_map(|edge| unburied(edge, feature, features));
+    let runs = pieces.filter(|(a, b)| {
         let outward = -(*b - *a).normalize_or_zero().perp();
-        speed != 0.0 && feature.kind == Kind::Solid && outward.y > 0.5
+        feature.kind == Kind::Solid && outward.y > 0.5
     });
     let arrows = |(a, b): (Vec2, Vec2)| {
         let (a, b) = if a.x < b.x { (a, b) } else { (b, a) };

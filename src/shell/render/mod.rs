@@ -34,6 +34,7 @@ mod quality;
 mod rims;
 mod scene;
 mod scenery;
+mod seen;
 mod shards;
 mod sky;
 mod stands;

@@ -4,6 +4,9 @@ use super::facets::{Facets, next};
 use super::terrain::rim;
 use glam::DVec2;
 
+/// How far beside its place a vertex within may be put, as a share of its distance from the border.
+const ASIDE: f64 = 0.1;
+
 /// What is known of the vertices at which free space begins, by vertex.
 pub(super) struct Rims {
     /// Unit vector into the open: the mean of the borders' normals; zero within the solid.
@@ -75,7 +78,12 @@ impl Rims {
             .collect();
         for (v, mitre, width) in spots {
             let inward = self.outward[v] * -width * mitre;
-            facets.insert(v, facets.points[v] + inward, width * 0.6);
+            // Beside it, where it would lie on an edge: rooms of right angles are full of those.
+            let spots = [0.0, ASIDE, -ASIDE].map(|aside| inward + inward.perp() * aside);
+            let from = facets.points[v];
+            spots
+                .into_iter()
+                .find_map(|spot| facets.insert(v, from + spot, width * 0.6));
         }
     }
 

@@ -11,6 +11,7 @@ use super::growth;
 use super::inward::Inward;
 use super::model::{Model, Paint, hash, paint};
 use super::rims::Rims;
+use super::seen;
 use crate::game::Stage;
 use crate::geom::Point;
 use crate::level::{Feature, Material};
@@ -43,6 +44,9 @@ const COURSED: f32 = 60_000.0;
 /// further inward: across a thin beam.
 const WIDE: f32 = 1.7;
 const ACROSS: f64 = 2.2;
+
+/// Facets of rock that are narrower and longer than that, in metres, are lit as if they were upright: else they would be rays.
+const SLIVER: (f32, f32) = (0.15, 0.6);
 
 /// Ground of less friction than this looks slippery.
 const SLIPPERY: f64 = 0.25;
@@ -111,22 +115,22 @@ fn built_front(look: Look) -> f32 {
     EDGE + rim(look) as f32
 }
 
-/// The solid faces of a mesh of outlines with the look of the last solid that covers them; but masonry that is sunk in rock
-/// is not seen there: it stands on the rock, and no seam runs through it.
+/// The solid faces of a mesh of outlines with the look of the last solid that covers them; but what is sunk in rock, or in
+/// masonry, is not seen there: it stands in it, and no seam runs through it. Belts alone are let in flush.
 pub fn solids(mesh: &Mesh, stage: &Stage) -> Vec<([Point; 3], Look)> {
     let look = |face| {
         let covers = mesh.cover(face).iter().rev();
         let solids = covers.filter(|&&id| mesh.kind_of(id) == Some(Kind::Solid));
         let features: Vec<&Feature> = solids.filter_map(|&id| stage.feature(id)).collect();
-        let rock = features.iter().find(|f| f.material == Material::Rock);
+        let of = |material| features.iter().find(|f| f.material == material);
         let seen = match features.first() {
-            Some(top) if top.material == Material::Masonry => rock.or(Some(top)),
-            top => top,
+            Some(top) if top.conveyor != 0.0 => Some(top),
+            top => of(Material::Rock).or(of(Material::Masonry)).or(top),
         };
         seen.map_or_else(Look::default, |feature| look_of(feature))
     };
     let solid = mesh.faces().filter(|&face| mesh.is_solid(face));
-    solid.map(|face| (mesh.corners(face), look(face))).collect()
+    seen::visible(solid.map(|face| (mesh.corners(face), look(face))).collect())
 }
 
 /// What a feature is to look like.
@@ -191,6 +195,7 @@ fn add_front(facets: &Facets, rims: &Rims, model: &mut Model) {
     let inward = Inward::of(facets);
     let scale = (area(facets) as f32 / COURSED).sqrt().max(1.0);
     let at = |v: usize| facets.points[v].as_vec2();
+    let is_seam = seams(facets);
     for t in 0..facets.look.len() {
         let vertices = [0, 1, 2].map(|i| facets.origin[3 * t + i]);
         let depth = vertices.map(|v| depths[v] as f32);
@@ -199,14 +204,9 @@ fn add_front(facets: &Facets, rims: &Rims, model: &mut Model) {
         let colours = palette(look);
         let is_rim = depth.contains(&0.0);
         let face = colours.face.towards(colours.deep, smooth(0.2, 5.0, mean));
-        let built = look.material != Material::Rock;
         let place = |i: usize| {
             let p = at(vertices[i]);
-            p.extend(match (depth[i] == 0.0, built) {
-                (true, _) => FRONT - RIM,
-                (false, true) => built_front(look),
-                (false, false) => FRONT + relief(p, depth[i]),
-            })
+            p.extend(front(p, depth[i], look, is_seam[vertices[i]]))
         };
         let corners = [0, 1, 2].map(place);
         let is_wide = breadth(vertices.map(at)) > WIDE * rim(look) as f32;
@@ -224,21 +224,24 @@ fn add_front(facets: &Facets, rims: &Rims, model: &mut Model) {
             courses.add(corners, look.upright, &tone, model);
             continue;
         }
-        let normal = (corners[1] - corners[0])
-            .cross(corners[2] - corners[0])
-            .normalize_or_zero();
+        let flat = vertices.map(at);
+        let normal = match breadth(flat) < SLIVER.0 && longest(flat) > SLIVER.1 {
+            true => Vec3::Z,
+            false => (corners[1] - corners[0])
+                .cross(corners[2] - corners[0])
+                .normalize_or_zero(),
+        };
+        if normal == Vec3::ZERO {
+            continue;
+        }
         let tinted = strata(face, (corners[0] + corners[1] + corners[2]) / 3.0);
         let shade = depth.map(|depth| 1.0 - 0.50 * smooth(0.0, 6.0, depth));
         let surface = weathered(tinted, &colours, normal);
-        model.facet(
-            corners,
-            shade,
-            if is_rim {
-                worn(surface, normal)
-            } else {
-                surface
-            },
-        );
+        let surface = match is_rim {
+            true => worn(surface, normal),
+            false => surface,
+        };
+        model.facet_facing(normal, corners, shade, surface);
     }
     let masonry = Look {
         material: Material::Masonry,
@@ -248,10 +251,36 @@ fn add_front(facets: &Facets, rims: &Rims, model: &mut Model) {
     edging::add(facets, rims, &inward, built_front(masonry), paint, model);
 }
 
+/// The depth of a front at a place so far from the open: what is nearer to it than the rim is wide lies on the rim's bevel; what
+/// was built is flat, and so is rock where it meets that.
+fn front(p: Vec2, depth: f32, look: Look, is_seam: bool) -> f32 {
+    let rim = rim(look) as f32;
+    let bevelled = EDGE + rim * (depth / rim).min(1.0);
+    match look.material {
+        Material::Rock if !is_seam => bevelled + relief(p, depth),
+        _ => bevelled,
+    }
+}
+
+/// Which vertices lie where two looks meet.
+fn seams(facets: &Facets) -> Vec<bool> {
+    let mut is_seam = vec![false; facets.points.len()];
+    for e in (0..facets.origin.len()).filter(|&e| !facets.is_border(e)) {
+        if facets.look[e / 3] != facets.look[facets.twin[e] / 3] {
+            is_seam[facets.origin[e]] = true;
+        }
+    }
+    is_seam
+}
+
 /// The least height of a triangle, in metres.
 fn breadth([a, b, c]: [Vec2; 3]) -> f32 {
-    let longest = a.distance(b).max(b.distance(c)).max(c.distance(a));
-    (b - a).perp_dot(c - a) / longest.max(f32::MIN_POSITIVE)
+    (b - a).perp_dot(c - a) / longest([a, b, c]).max(f32::MIN_POSITIVE)
+}
+
+/// The longest side of a triangle, in metres.
+fn longest([a, b, c]: [Vec2; 3]) -> f32 {
+    a.distance(b).max(b.distance(c)).max(c.distance(a))
 }
 
 /// How far rock stands out at a depth from the open, in metres: beds of different hardness, and chance; less so deep within,
