@@ -60,7 +60,7 @@ use crowd::Crowd;
 use debug::Debug;
 use frame::FrameBlock;
 use gl::{Geometry, Gl, Uniforms};
-use glam::{Mat4, Vec3, Vec4};
+use glam::{DVec2, Mat4, Vec3, Vec4};
 use ground::Ground;
 use hero::Hero;
 use kit::Kit;
@@ -289,7 +289,7 @@ impl Renderer {
         let water = self.water_height;
         let stirred = self.air.puff(frame.view, foot, water);
         let block = FrameBlock {
-            hero: foot.extend(self.ground_below(frame.view)),
+            hero: foot.extend(self.ground_below(frame.view, frame.offsets)),
             puff: stirred.at,
             scene: Vec4::new(0.0, water, moving as f32, stirred.strength),
             wet: f32::from(u8::from(stirred.wet)),
@@ -350,12 +350,12 @@ impl Renderer {
     }
 
     /// The height of what is under the hero; far below where nothing is.
-    fn ground_below(&self, view: &View) -> f32 {
+    fn ground_below(&self, view: &View, offsets: &[DVec2]) -> f32 {
         let foot = view.position.as_vec2();
         match view.stance {
             Stance::Ground | Stance::Wedge => foot.y,
             Stance::Air | Stance::Slide | Stance::Climb => {
-                self.ground.below(foot).unwrap_or(f32::MIN / 2.0)
+                self.ground.below(foot, offsets).unwrap_or(f32::MIN / 2.0)
             }
         }
     }

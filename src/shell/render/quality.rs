@@ -62,7 +62,7 @@ impl Quality {
                 bloom_stages: 3,
                 per_pixel: false,
                 motes: 0.6,
-                blob: 0.3,
+                blob: 0.5,
             },
             Preset::High => Quality {
                 scale: 1.0,
@@ -73,7 +73,7 @@ impl Quality {
                 bloom_stages: 4,
                 per_pixel: true,
                 motes: 1.0,
-                blob: 0.3,
+                blob: 0.5,
             },
         }
     }
