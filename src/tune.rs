@@ -134,9 +134,9 @@ tunables! {
         tilt = 1.4 in -10.0..=10.0, "m", "How far above its aim the camera hangs, to look a little down.";
         lead = 0.28 in 0.0..=2.0, "s", "How far ahead of the hero the camera aims, as time at its speed.";
         lead_limit = 3.0 in 0.0..=20.0, "m", "Longest lead.";
-        stiffness_x = 5.0 in 0.1..=60.0, "1/s", "How fast the camera closes in sideways.";
-        stiffness_y = 4.0 in 0.1..=60.0, "1/s", "How fast the camera closes in up and down.";
-        dead_zone_y = 1.2 in 0.0..=10.0, "m", "Height that the hero may change in the air before the camera follows.";
+        stiffness_x = 12.0 in 0.1..=60.0, "1/s", "How fast the camera closes in sideways.";
+        stiffness_y = 8.0 in 0.1..=60.0, "1/s", "How fast the camera closes in up and down.";
+        dead_zone_y = 3.2 in 0.0..=10.0, "m", "Height that the hero may rise in the air before the camera follows.";
         look = 3.0 in 0.0..=20.0, "m", "How far the camera looks up or down when asked.";
     }
 }

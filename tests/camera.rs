@@ -3,11 +3,12 @@
 use edgewalker::cli::load;
 use edgewalker::game::camera::{CameraState, Pose};
 use edgewalker::game::framing::{Framing, half_picture};
-use edgewalker::game::{Stance, View};
+use edgewalker::game::{Input, Stage, Stance, View, World};
 use edgewalker::level::{self, Area, Frame, Level, Mood, Rect, Scenery};
-use edgewalker::tune::Camera;
+use edgewalker::tune::{Camera, Tuning};
 use glam::DVec2;
 use std::path::Path;
+use std::sync::Arc;
 
 const GOLDEN: &str = "tests/golden/quarry.replay.ron";
 const TICK: f64 = 1.0 / 120.0;
@@ -83,6 +84,156 @@ fn a_runner_sees_more_of_what_is_before_him() {
         .collect();
     assert!(places.len() > 100, "{}", places.len());
     assert!(places.iter().all(|x| *x < -0.1), "{places:?}");
+}
+
+/// How much of the plane of play is seen below a hero's foot, m.
+fn seen_below((view, pose): &(View, Pose)) -> f64 {
+    let half = (pose.fov_degrees / 2.0).to_radians().tan() * pose.eye.distance(pose.target);
+    view.position.y - (pose.target.y - half)
+}
+
+/// How far ahead a fall is to be seen, s.
+const FORESEEN: f64 = 0.4;
+
+/// Whoever falls at full speed sees what is below him for 0.4 s, or the ground that he will land on before.
+#[test]
+fn a_fall_sees_where_it_leads() {
+    let run = run();
+    let full = Tuning::default().motion.fall_speed;
+    let (mut falls, mut least) = (0, f64::MAX);
+    for (i, moment) in run.iter().enumerate() {
+        let view = moment.0;
+        if view.stance != Stance::Air || view.velocity.y > -0.99 * full {
+            continue;
+        }
+        let landing = run[i..].iter().find(|(view, _)| view.stance != Stance::Air);
+        let left = landing.map_or(f64::MAX, |(end, _)| view.position.y - end.position.y);
+        let below = seen_below(moment);
+        let wanted = (FORESEEN * full).min(left + 0.5);
+        assert!(below > wanted, "{below} m of {wanted} at {} s", view.time);
+        falls += 1;
+        least = least.min(below / wanted);
+    }
+    println!(
+        "{falls} ticks of full fall; at least {least:.2} times what is to be seen below the feet"
+    );
+    assert!(falls > 20);
+}
+
+/// A fall in which no ground is known is seen as far ahead as soon as it has its full speed for as long.
+#[test]
+fn a_fall_into_the_unknown_sees_ahead_too() {
+    let (tuning, framing) = (Tuning::default(), Framing::free());
+    let (full, gravity) = (tuning.motion.fall_speed, tuning.motion.gravity);
+    let at = |time: f64| {
+        let braked = (time - full / gravity).max(0.0);
+        let depth = 0.5 * gravity * (time - braked).powi(2) + full * braked;
+        View {
+            time,
+            velocity: DVec2::new(0.0, -(gravity * time).min(full)),
+            ..View::at(DVec2::new(0.0, -depth))
+        }
+    };
+    let mut camera = CameraState::new(&at(0.0), &framing);
+    for tick in 1..=360 {
+        let view = at(f64::from(tick) * TICK);
+        camera.step(&view, 0.0, &framing, &tuning.camera, TICK);
+        let below = seen_below(&(view, camera.pose(&framing, &tuning.camera)));
+        if view.time > full / gravity + FORESEEN {
+            assert!(below > FORESEEN * full, "{below} m at {} s", view.time);
+        }
+    }
+}
+
+/// View and pose after each tick on a flat level, from standing still: so many ticks of each input.
+fn on_level_ground(parts: &[(u32, Input)]) -> Vec<(View, Pose)> {
+    let level = level::load(Path::new("levels/dev/flat.ron")).unwrap();
+    let (tuning, framing) = (Tuning::default(), Framing::new(&level));
+    let mut world = World::new(Arc::new(Stage::build(level).unwrap()), 120, 0);
+    let mut camera = CameraState::new(&world.view(), &framing);
+    let held = parts
+        .iter()
+        .flat_map(|&(ticks, input)| (0..ticks).map(move |_| input));
+    let step = |input| {
+        world.step(input, &tuning);
+        camera.step(&world.view(), 0.0, &framing, &tuning.camera, TICK);
+        (world.view(), camera.pose(&framing, &tuning.camera))
+    };
+    held.map(step).collect()
+}
+
+fn running(run: i8, jump: bool) -> Input {
+    Input {
+        run,
+        jump,
+        ..Input::default()
+    }
+}
+
+/// The highest jump over level ground, standing and running, leaves the picture where it is, and draws nothing back.
+#[test]
+fn a_jump_over_level_ground_does_not_nod() {
+    for run in [0, 127, -127] {
+        let still = (60, running(0, false));
+        let moments =
+            on_level_ground(&[still, (60, running(run, true)), (90, running(run, false))]);
+        let heights = moments.iter().map(|(view, _)| view.position.y);
+        assert!(heights.fold(0.0, f64::max) > 2.5, "a full jump");
+        let rest = moments[0].1.eye;
+        let moved =
+            |(_, pose): &(View, Pose)| (pose.eye.y - rest.y).abs().max((pose.eye.z - rest.z).abs());
+        let most = moments.iter().map(moved).fold(0.0, f64::max);
+        println!("a full jump moves the picture by {most} m");
+        assert!(most < 0.1, "{most} m");
+    }
+}
+
+/// Who turns round sees more of what is then before him within 0.4 s.
+#[test]
+fn a_turn_is_led_soon() {
+    for way in [127, -127] {
+        let parts = [(60, running(way, false)), (90, running(-way, false))];
+        let moments = on_level_ground(&parts);
+        let turned = 60
+            + moments[60..]
+                .iter()
+                .position(|(view, _)| view.velocity.x * f64::from(way) < 0.0)
+                .unwrap();
+        let leads = |moment: &(View, Pose)| in_picture(moment).x * f64::from(way) > 0.0;
+        let led = 60 + moments[60..].iter().position(leads).unwrap();
+        let seconds = [60, turned].map(|from| (led - from) as f64 * TICK);
+        println!(
+            "leads {:.3} s after the key, {:.3} s after the turn",
+            seconds[0], seconds[1]
+        );
+        assert!(seconds[0] < 0.4, "{seconds:?}");
+    }
+}
+
+/// How much further down than where it rests the picture goes after a landing from high up: on ground, and on a mover, which is
+/// not foreseen, m.
+const SWINGS: [f64; 2] = [1.2, 3.0];
+
+#[test]
+fn a_landing_is_soft() {
+    let run = run();
+    let mut landings = 0;
+    for (i, pair) in run.windows(2).enumerate() {
+        let (before, landed) = (pair[0].0, pair[1].0);
+        if before.velocity.y > -20.0 || landed.stance != Stance::Ground {
+            continue;
+        }
+        landings += 1;
+        let foot = landed.position.y;
+        let after = run[i..].iter();
+        let after = after.take_while(|(view, _)| (view.position.y - foot).abs() < 0.5);
+        let aims = after.map(|(view, pose)| pose.target.y - view.position.y);
+        let swing = Camera::default().height - aims.fold(f64::MAX, f64::min);
+        let most = SWINGS[usize::from(landed.carried != DVec2::ZERO)];
+        println!("{swing:5.2} m at {}", landed.position);
+        assert!(swing < most, "{swing} m at {}", landed.position);
+    }
+    assert!(landings > 2, "{landings} hard landings");
 }
 
 /// A level of two areas with a frame: from x = -50 to 50 and on to 150, the frame from 10 to 20.

@@ -1,21 +1,34 @@
 //! The camera that follows the hero: a plain value, stepped once per tick.
 //!
-//! It aims ahead of the motion, lets the hero jump without nodding along, and is smooth by construction:
-//! what it aims at passes two low-pass filters in a row, each solved exactly over the step. So the path does
-//! not depend on how time is cut into steps, nothing oscillates, and nothing in here can shake. What the level asks to be
-//! shown ([`Framing`]) is blended in: from shot to shot by shares that pass two filters as well.
+//! It aims ahead of the motion, lets the hero jump without nodding along, sees where a fall leads and comes to rest where it
+//! ends. It is smooth by construction: a spring draws it to what it aims at, with no more than a stated acceleration, in
+//! steps of its own. So the path does not depend on how time is cut into ticks, nothing oscillates, and nothing in here can
+//! shake. What the level asks to be shown ([`Framing`]) is blended in: from shot to shot by shares that pass two filters.
 //! Absent: any knowledge of the window.
 
-use super::framing::{Aim, Framing, between, half_picture};
+use super::framing::{Aim, FALL_SPEED, Framing, GRAVITY, between, half_picture};
 use super::{Stance, View};
 use crate::tune::Camera;
 use glam::{DVec2, DVec3};
 
-/// The lead turns round this much more slowly than the camera follows, so that a quick turn does not swing it.
-const LEAD_RATIO: f64 = 0.5;
+/// Shares of half the picture's height that the focus may be below and above the hero, however fast he is.
+const KEEP_IN: (f64, f64) = (0.8, 0.6);
 
-/// Share of half the picture's height that the focus may be away from the hero, however fast he falls.
-const KEEP_IN: f64 = 0.6;
+/// How far ahead of a fall is seen, as time at its speed, in s; and so much more, in m, as the spring lags behind.
+const FORESEEN: f64 = 0.4;
+const MARGIN: f64 = 0.5;
+
+/// A fall that ends less than this below the place where the hero left the ground is none, in m.
+const DEEP: f64 = 1.0;
+
+/// The speeds at which falls end between which the camera draws back more and more, in m/s; by how much of its distance; how
+/// fast it does, in 1/s.
+const FALLS: (f64, f64) = (15.0, 22.0);
+const BACK: f64 = 0.5;
+const BACK_RATE: f64 = 8.0;
+
+/// With this the aim slows down over where a fall ends, in m/s^2.
+const STOP: f64 = 70.0;
 
 /// The middle of the hero above his foot, m.
 const MIDDLE: f64 = 0.85;
@@ -29,8 +42,11 @@ const SEEN_KNEE: f64 = 0.1;
 /// How fast the camera goes over from one shot of the level to another, 1/s.
 const BLEND_RATE: f64 = 2.5;
 
-/// How fast the speed may change that the camera leads by, in m/s^2: a hero who jumps off a wall shall not jerk the picture.
-const PACE_RATE: f64 = 40.0;
+/// The greatest acceleration of the focus, in m/s^2: a hero who turns, jumps off a wall or lands shall not jerk the picture.
+const MOST: DVec2 = DVec2::new(108.0, 130.0);
+
+/// The longest step of the spring, in s.
+const STEP: f64 = 1.0 / 960.0;
 
 /// Where a picture is taken from. Metres; x right, y up, z towards the viewer, the plane of play at z = 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -54,22 +70,33 @@ impl Pose {
     }
 }
 
-/// How much of the picture a shot has: what passed one filter, and what passed both.
+/// How much of the picture something has: what passed one filter, and what passed both.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct Share {
     wished: f64,
     shown: f64,
 }
 
+impl Share {
+    /// Follows a wish. With it d, u' = r (d - u) and w' = r (u - w) have this solution.
+    fn follow(&mut self, wish: f64, rate: f64, dt: f64) {
+        let fade = (-rate * dt).exp();
+        let (u, w) = (self.wished - wish, self.shown - wish);
+        self.wished = wish + u * fade;
+        self.shown = wish + (w + u * rate * dt) * fade;
+    }
+}
+
 /// What the camera remembers from tick to tick.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CameraState {
     shares: Vec<Share>, // of each shot of the level; together 1
+    back: Share,        // how far the camera has drawn back from a fall
     focus: DVec2,       // the point of the plane of play that is looked at, before `height`
-    lead: DVec2,        // how far ahead of the anchor the focus is drawn
-    anchor: DVec2,      // the hero's place, without the small ups and downs of a jump
-    pace: f64, // the speed sideways that is led by: the hero's, but for jumps of it off a wall or into one
-    last: View, // the view of the previous step
+    speed: DVec2,       // of the focus
+    anchor: DVec2,      // the hero's place, without the ups and downs of a jump
+    falls: bool,        // he goes down to deeper than where he came from
+    last: View,         // the view of the previous step
 }
 
 impl CameraState {
@@ -82,10 +109,11 @@ impl CameraState {
         };
         CameraState {
             shares,
+            back: Share::default(),
             focus: view.position,
-            lead: DVec2::ZERO,
+            speed: DVec2::new(view.velocity.x, 0.0),
             anchor: view.position,
-            pace: view.velocity.x,
+            falls: false,
             last: *view,
         }
     }
@@ -97,8 +125,9 @@ impl CameraState {
             let part = if index == shot { 1.0 } else { 0.0 };
             (share.wished, share.shown) = (part, part);
         }
-        (self.focus, self.anchor, self.lead) = (view.position, view.position, DVec2::ZERO);
-        (self.pace, self.last) = (view.velocity.x, *view);
+        (self.focus, self.anchor, self.last) = (view.position, view.position, *view);
+        self.falls = false;
+        (self.speed, self.back) = (DVec2::new(view.velocity.x, 0.0), Share::default());
     }
 
     /// Follows for `dt` seconds; `look` from -1 (down) to 1 (up) is where the player asks to look.
@@ -108,72 +137,92 @@ impl CameraState {
             return;
         }
         self.blend(framing.shot_at(self.last.position), dt);
-        let mut before = self.anchor;
-        let held = held_height(before.y, view, tuning.dead_zone_y);
-        let has_landed = flies(self.last.stance) && !flies(view.stance);
-        if has_landed {
-            // The anchor jumps to the foot. The lead takes that up, so that the aim does not jump but drifts.
-            let jump = view.position.y - held;
-            self.lead.y -= jump;
-            before.y += jump;
+        let before = self.anchor;
+        let mut drawn = 0.0;
+        self.anchor = view.position;
+        let fell = std::mem::take(&mut self.falls);
+        if flies(view.stance) {
+            let held = held_height(before.y, view, tuning.dead_zone_y);
+            self.anchor.y = held;
+            if let Some((end, speed)) = fall(view, held, fell, framing) {
+                self.falls = view.velocity.y <= 0.0;
+                drawn = ((speed - FALLS.0) / (FALLS.1 - FALLS.0)).clamp(0.0, 1.0);
+                let aim = view.position.y - wished_drop(drawn, speed, tuning);
+                let most = (2.0 * STOP * (held - end).max(0.0)).sqrt() * dt;
+                self.anchor.y = aim.max(end).min(held).max(held - most);
+            }
         }
-        self.anchor = match view.stance {
-            Stance::Air | Stance::Slide => DVec2::new(view.position.x, held),
-            Stance::Ground | Stance::Wedge | Stance::Climb => view.position,
-        };
+        self.back.follow(drawn, BACK_RATE, dt);
         // Who climbs holds the same keys to get on.
         let look = match view.stance {
             Stance::Climb | Stance::Slide => 0.0,
             Stance::Air | Stance::Ground | Stance::Wedge => look,
         };
-        let most = PACE_RATE * dt;
-        self.pace += (view.velocity.x - self.pace).clamp(-most, most);
-        let asked = DVec2::new(0.0, look.clamp(-1.0, 1.0) * tuning.look);
-        let wished = asked + wished_lead(view, self.pace, self.anchor.y != before.y, tuning);
-        let rates = DVec2::new(tuning.stiffness_x, tuning.stiffness_y);
-        self.follow(before, wished, rates, dt);
-        let reach = DVec2::splat(KEEP_IN * half_picture(tuning.distance, tuning).y);
+        let limit = tuning.lead_limit;
+        let ahead = (self.last.velocity.x * tuning.lead).clamp(-limit, limit);
+        let wished = DVec2::new(ahead, look.clamp(-1.0, 1.0) * tuning.look);
+        // Who lands above or below where he was held is drifted to: that is no speed of his.
+        let has_landed = flies(self.last.stance) && !flies(view.stance);
+        let rise = if has_landed {
+            0.0
+        } else {
+            self.anchor.y - before.y
+        };
+        let moved = DVec2::new(self.anchor.x - before.x, rise);
+        self.follow(moved, wished, tuning, dt);
+        let half = DVec2::splat(half_picture(tuning.distance, tuning).y);
         let hero = view.position;
-        self.focus = self.focus.clamp(hero - reach, hero + reach);
+        self.focus = self
+            .focus
+            .clamp(hero - half * KEEP_IN.0, hero + half * KEEP_IN.1);
         self.last = *view;
     }
 
-    /// The two filters, both axes at once. With the anchor p moving evenly (velocity v) and the lead l drawn to
-    /// w, l' = a (w - l) and x' = k (p + l - x) have the solution below; a = k [`LEAD_RATIO`] keeps it regular.
-    fn follow(&mut self, before: DVec2, wished: DVec2, k: DVec2, dt: f64) {
-        if dt <= 0.0 {
+    /// The spring, both axes at once, in steps of its own: towards the anchor, which has moved evenly, and a wish.
+    fn follow(&mut self, moved: DVec2, wished: DVec2, tuning: &Camera, dt: f64) {
+        let count = (dt / STEP - 1e-6).ceil();
+        if count < 1.0 {
             return;
         }
-        let a = k * LEAD_RATIO;
-        let lag = (self.anchor - before) / dt / k;
-        let (fade, lead_fade) = ((-k * dt).exp(), (-a * dt).exp());
-        let swing = (self.lead - wished) * (k / (k - a));
-        let rest = self.focus - (before - lag + wished + swing);
-        self.focus = self.anchor - lag + wished + swing * lead_fade + rest * fade;
-        self.lead = wished + (self.lead - wished) * lead_fade;
+        let moved = moved / dt;
+        let step = dt / count;
+        let k = DVec2::new(tuning.stiffness_x, tuning.stiffness_y);
+        for n in 1..=count as u32 {
+            let left = moved * (step * (count - f64::from(n)));
+            let off = self.anchor - left + wished - self.focus;
+            let pull = k * k * off + 2.0 * k * (moved - self.speed);
+            self.speed += pull.clamp(-MOST, MOST) * step;
+            self.focus += self.speed * step;
+        }
     }
 
-    /// Goes over to a shot. With the wish d of a shot 1 or 0, u' = r (d - u) and w' = r (u - w) have this solution.
+    /// How far away the camera would be without a level.
+    fn distance(&self, tuning: &Camera) -> f64 {
+        tuning.distance * (1.0 + BACK * self.back.shown)
+    }
+
+    /// Goes over to a shot.
     fn blend(&mut self, shot: usize, dt: f64) {
-        let (r, fade) = (BLEND_RATE, (-BLEND_RATE * dt).exp());
         for (index, share) in self.shares.iter_mut().enumerate() {
             let wish = if index == shot { 1.0 } else { 0.0 };
-            let (u, w) = (share.wished - wish, share.shown - wish);
-            share.wished = wish + u * fade;
-            share.shown = wish + (w + u * r * dt) * fade;
+            share.follow(wish, BLEND_RATE, dt);
         }
     }
 
     /// Where the picture is taken from.
     pub fn pose(&self, framing: &Framing, tuning: &Camera) -> Pose {
         let free = self.focus + DVec2::new(0.0, tuning.height);
+        let drawn = Camera {
+            distance: self.distance(tuning),
+            ..tuning.clone()
+        };
         let mut seen = Aim {
             target: DVec2::ZERO,
             distance: 0.0,
         };
         for (shot, share) in self.shares.iter().enumerate() {
             if share.shown != 0.0 {
-                let aim = framing.aim(shot, free, tuning);
+                let aim = framing.aim(shot, free, &drawn);
                 seen.target += aim.target * share.shown;
                 seen.distance += aim.distance * share.shown;
             }
@@ -200,24 +249,32 @@ fn flies(stance: Stance) -> bool {
     matches!(stance, Stance::Air | Stance::Slide)
 }
 
-/// The anchor's height in the air: it changes only when the hero leaves the dead zone about it.
+/// The anchor's height in the air: it is held while the hero is no further above it than the dead zone is high.
 fn held_height(before: f64, view: &View, dead_zone: f64) -> f64 {
-    let y = view.position.y;
-    before.clamp(y - dead_zone, y + dead_zone)
+    before.max(view.position.y - dead_zone)
 }
 
-/// How far ahead of the anchor the aim should be drawn: the tuned lead, and what the filter will lag behind an even
-/// motion. Sideways always; up and down only while the height is followed, and not for the rise of a jump.
-fn wished_lead(view: &View, pace: f64, follows_height: bool, tuning: &Camera) -> DVec2 {
-    let rises = flies(view.stance) && view.velocity.y > 0.0;
-    let fall = match follows_height && !rises {
-        true => view.velocity.y,
-        false => 0.0,
-    };
-    let velocity = DVec2::new(pace, fall);
-    let limit = DVec2::splat(tuning.lead_limit);
-    let lag = velocity / DVec2::new(tuning.stiffness_x, tuning.stiffness_y);
-    (velocity * tuning.lead).clamp(-limit, limit) + lag
+/// Where a fall that leads deeper than a height ends, and with what speed, in m and m/s. One whose end is not known is one when
+/// the hero is deeper, and one that has begun goes on.
+fn fall(view: &View, held: f64, fell: bool, framing: &Framing) -> Option<(f64, f64)> {
+    let foot = view.position.y;
+    if view.stance != Stance::Air || view.velocity.y > 0.0 {
+        return (foot < held).then_some((foot, 0.0));
+    }
+    let unknown = || (fell || foot < held - DEEP / 2.0).then_some(f64::NEG_INFINITY);
+    let end = framing.end_of_fall(view.position, view.velocity);
+    let end = end
+        .or_else(unknown)
+        .filter(|end| fell || *end < held - DEEP)?;
+    let square = view.velocity.y.powi(2) + 2.0 * GRAVITY * (view.position.y - end).max(0.0);
+    Some((end, square.sqrt().min(FALL_SPEED)))
+}
+
+/// How far below the hero the aim should be drawn, that what a fall comes to in [`FORESEEN`] is in the picture of a camera that
+/// has drawn back so far.
+fn wished_drop(drawn: f64, speed: f64, tuning: &Camera) -> f64 {
+    let half = half_picture(tuning.distance * (1.0 + BACK * drawn), tuning).y;
+    (speed * FORESEEN + MARGIN + tuning.height - half).max(0.0)
 }
 
 #[cfg(test)]

@@ -3,9 +3,10 @@
 //! Every frame and every area is a *shot*: a way to move the aim of a following camera. A camera blends the shots of a level,
 //! and as each of them is smooth in the aim, so is the blend. Absent: time, and the hero.
 
-use crate::level::{Level, Rect, Scenery};
+use crate::level::{Kind, Level, Rect, Scenery};
 use crate::tune::Camera;
 use glam::DVec2;
+use std::collections::BTreeMap;
 
 /// Width over height of the picture that rooms are cut to; a wider window sees more.
 pub const ASPECT: f64 = 16.0 / 9.0;
@@ -21,6 +22,17 @@ const CLEARANCE: f64 = 3.0;
 
 /// How far the front of the terrain and half a thing of usual size reach towards the camera, m.
 const FRONT: f64 = 1.0;
+
+/// How a hero falls, as a picture foresees it: m/s^2, m/s.
+pub(super) const GRAVITY: f64 = 45.0;
+pub(super) const FALL_SPEED: f64 = 24.0;
+
+/// How far a fall is foreseen, in s, and in what steps.
+const AHEAD: u32 = 24;
+const MOMENT: f64 = 0.06;
+
+/// Width of the strips by which ground is found, in m.
+const STRIP: f64 = 4.0;
 
 /// One way to show the level.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,6 +53,8 @@ pub struct Framing {
     shots: Vec<Shot>,
     /// The nearest that the camera may come to the plane of play, m.
     nearest: f64,
+    /// Edges that one can land on, from left to right each, by the strips that they reach into.
+    ground: BTreeMap<i32, Vec<(DVec2, DVec2)>>,
 }
 
 /// Where a shot looks, and from how far away, m.
@@ -72,6 +86,7 @@ impl Framing {
         Framing {
             shots: vec![FREE],
             nearest: FRONT + CLEARANCE,
+            ground: BTreeMap::new(),
         }
     }
 
@@ -101,7 +116,25 @@ impl Framing {
         Framing {
             shots,
             nearest: foremost.map(reach).fold(FRONT, f64::max) + CLEARANCE,
+            ground: ground(level),
         }
+    }
+
+    /// The height at which a fall from a place ends that begins with a velocity, if it ends soon.
+    pub(super) fn end_of_fall(&self, from: DVec2, velocity: DVec2) -> Option<f64> {
+        let (mut a, mut speed) = (from + DVec2::new(0.0, MOMENT), velocity);
+        for _ in 0..AHEAD {
+            speed.y = (speed.y - GRAVITY * MOMENT).max(-FALL_SPEED);
+            let b = a + speed * MOMENT;
+            let strips = strip(a.x.min(b.x))..=strip(a.x.max(b.x));
+            let edges = strips.filter_map(|strip| self.ground.get(&strip)).flatten();
+            let met = edges.filter_map(|&(c, d)| meeting(a, b, c, d));
+            if let Some(height) = met.reduce(f64::max) {
+                return Some(height);
+            }
+            a = b;
+        }
+        None
     }
 
     /// How many shots there are: at least one.
@@ -131,6 +164,47 @@ impl Framing {
             distance,
         }
     }
+}
+
+/// The number of the strip that a place is in.
+fn strip(x: f64) -> i32 {
+    (x / STRIP).floor() as i32
+}
+
+/// The height at which who goes down from `a` to `b` meets the edge from `c` to `d`.
+fn meeting(a: DVec2, b: DVec2, c: DVec2, d: DVec2) -> Option<f64> {
+    let over = |p: DVec2| (d - c).perp_dot(p - c);
+    let (before, after) = (over(a), over(b));
+    if before < 0.0 || after > 0.0 || before == after {
+        return None;
+    }
+    let at = a + (b - a) * (before / (before - after));
+    (c.x..=d.x).contains(&at.x).then_some(at.y)
+}
+
+/// The edges of a level that one can land on, from left to right each.
+fn ground(level: &Level) -> BTreeMap<i32, Vec<(DVec2, DVec2)>> {
+    let mut ground: BTreeMap<i32, Vec<_>> = BTreeMap::new();
+    for feature in &level.features {
+        let corners = &feature.outline;
+        let mut edges: Vec<(DVec2, DVec2)> = corners.windows(2).map(|c| (c[0], c[1])).collect();
+        if let (Kind::Solid, Some(first), Some(last)) =
+            (feature.kind, corners.first(), corners.last())
+        {
+            edges.push((*last, *first));
+            let area: f64 = edges.iter().map(|(a, b)| a.perp_dot(*b)).sum();
+            if area > 0.0 {
+                edges.iter_mut().for_each(|(a, b)| std::mem::swap(a, b));
+            }
+        }
+        let lands = feature.kind == Kind::Solid || feature.kind == Kind::OneWay;
+        for (a, b) in edges.into_iter().filter(|(a, b)| lands && a.x < b.x) {
+            for strip in strip(a.x)..=strip(b.x) {
+                ground.entry(strip).or_default().push((a, b));
+            }
+        }
+    }
+    ground
 }
 
 /// Half the size of what is seen of the plane of play from a distance, m.
