@@ -257,6 +257,38 @@ fn the_way_itself_passes_no_secret_and_no_death() {
 /// Who dies loses at most this much of the recorded run, s.
 const LONGEST_WAY_BACK: f64 = 30.0;
 
+/// The longest that the recorded run stands still with nothing held, for a machine to come, s.
+const LONGEST_WAIT: f64 = 3.0;
+
+/// Machines come soon to who walks up to them: in the recorded run nobody waits long.
+#[test]
+fn no_machine_is_waited_for_long() {
+    let run = include_str!("golden/quarry.replay.ron");
+    let replay = Replay::parse(run).unwrap();
+    let mut world = replay
+        .world(Arc::new(Stage::build(quarry()).unwrap()))
+        .unwrap();
+    let (mut since, mut waits, mut whole) = (0.0, 0, 0.0);
+    for input in replay.iter() {
+        let before = world.time();
+        world.step(input, &replay.tuning);
+        let view = world.view();
+        if input == Input::default() && view.velocity == DVec2::ZERO {
+            continue;
+        }
+        let seconds = before - since;
+        if seconds > 0.25 {
+            println!("{seconds:5.2} s at {}", view.position);
+            waits += 1;
+            whole += seconds;
+        }
+        assert!(seconds <= LONGEST_WAIT, "{seconds} s at {}", view.position);
+        since = world.time();
+    }
+    println!("{waits} waits, {whole:.1} s of {:.1} s", world.time());
+    assert!(waits > 5, "there are machines");
+}
+
 /// From start to checkpoint, from there to the next, and to the goal: never far in the recorded run.
 #[test]
 fn no_death_costs_more_than_half_a_minute() {

@@ -35,6 +35,8 @@ pub enum Act {
     Kick(f64, f64),
     /// Do nothing until the mover with this id is this far (x, y) from where it was drawn.
     Wait(String, f64, f64),
+    /// Do nothing until that mover comes there: if it is there already, until it comes back.
+    Meet(String, f64, f64),
 }
 pub use Act::{Drop, Duck, Fall, Jump, Run, Walk};
 
@@ -81,6 +83,8 @@ pub struct Player {
     ticks: u32,
     /// The hero has been in the air in it.
     flown: bool,
+    /// The mover that is waited for is there.
+    there: bool,
 }
 
 impl Player {
@@ -92,13 +96,14 @@ impl Player {
             inputs: Vec::new(),
             ticks: 0,
             flown: false,
+            there: true,
         }
     }
 
     /// Does one act; says where it ended otherwise.
     pub fn act(&mut self, act: &Act) -> Result<(), String> {
         let from = self.world.view();
-        (self.ticks, self.flown) = (0, false);
+        (self.ticks, self.flown, self.there) = (0, false, true);
         while let Some(input) = self.next_input(act, from.position.x) {
             self.world.step(input, &self.tuning);
             self.inputs.push(input);
@@ -181,12 +186,18 @@ impl Player {
                 (!there).then_some(Input { up: true, ..none })
             }
             Act::Kick(side, y) => self.kick(side, y),
-            Act::Wait(ref id, x, y) => {
-                let offset = self.offset_of(id);
-                let there = (offset - DVec2::new(x, y)).abs().max_element() < THERE;
-                (!there).then_some(none)
+            Act::Wait(ref id, x, y) => (!self.is_there(id, x, y)).then_some(none),
+            Act::Meet(ref id, x, y) => {
+                let is_there = self.is_there(id, x, y);
+                let was_there = std::mem::replace(&mut self.there, is_there);
+                (was_there || !is_there).then_some(none)
             }
         }
+    }
+
+    /// Whether a mover is so far from where it was drawn.
+    fn is_there(&self, id: &str, x: f64, y: f64) -> bool {
+        (self.offset_of(id) - DVec2::new(x, y)).abs().max_element() < THERE
     }
 
     /// How far a mover is from where it was drawn.
