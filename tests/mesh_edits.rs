@@ -219,7 +219,7 @@ fn rings_in_rings_are_covered_alike_built_or_put_in_one_by_one() {
 fn wires_whose_edges_share_a_source_are_told_apart_by_their_ends() {
     let source = Source::Edge { edge: 0 };
     let (p, q) = (Point::new(0, 0), Point::new(9, 4));
-    let both = [(p, q), (q, p)].map(|(a, b)| ExpandedEdge { a, b, source });
+    let both = [(p, q), (q, p)].map(|(a, b)| ExpandedEdge::new(a, b, source));
     let other = wire(&[(Point::new(3, -5), Point::new(4, 9))]);
     let expected = Mesh::build(&[both.to_vec(), other.clone()]).unwrap().hash();
     // Ids that were given away in another order come back in another order.

@@ -289,11 +289,7 @@ fn a_long_line_through_all_scales_is_one_feature() {
 
 #[test]
 fn what_cannot_go_in_is_named_and_changes_nothing() {
-    let edge = |a: Point, b: Point| ExpandedEdge {
-        a,
-        b,
-        source: Source::Edge { edge: 0 },
-    };
+    let edge = |a: Point, b: Point| ExpandedEdge::new(a, b, Source::Edge { edge: 0 });
     let (o, p) = (Point::new(0, 0), Point::new(9, 9));
     let far = Point::new(0, BOUND - 1);
     assert_eq!(

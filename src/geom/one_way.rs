@@ -14,8 +14,9 @@
 //! At a joint that is convex towards the front the collider's sides between both normals close the gap. At any other joint
 //! the edges overlap: a body may come through one of them from behind and still rest on the other.
 
+use super::drawn::Drawn;
 use super::grid::Point;
-use super::minkowski::{Collider, ExpandedEdge, Source, expand, push, sum};
+use super::minkowski::{Collider, ExpandedEdge, Source, expand, note_aside, push, sum};
 use super::polygon::{OutlineError, turn};
 use super::predicates::{delta, dot, orient2d};
 use std::cmp::Ordering;
@@ -56,6 +57,15 @@ pub fn expand_one_way(polyline: &[Point], collider: &Collider) -> Vec<ExpandedEd
         }
     }
     way_back.last_cap(&mut edges);
+    edges
+}
+
+/// The same for a polyline as it was drawn: it goes round the collider on the grid, and each edge keeps how far beside it was
+/// drawn.
+pub fn expand_one_way_drawn(polyline: &[Drawn], collider: &Collider) -> Vec<ExpandedEdge> {
+    let points: Vec<Point> = polyline.iter().map(|corner| corner.point()).collect();
+    let mut edges = expand_one_way(&points, collider);
+    note_aside(&mut edges, polyline, true);
     edges
 }
 

@@ -5,8 +5,8 @@ mod movers;
 mod places;
 
 use super::{Entity, Feature, Flaw, Kind, Level, Mover, Scenery, VERSION};
-use crate::geom::polygon::winding;
-use crate::geom::{Collider, Point};
+use crate::geom::drawn::winds_about;
+use crate::geom::{Collider, Drawn};
 use features::{check_body, check_id};
 use glam::DVec2;
 use movers::check_movers;
@@ -130,11 +130,8 @@ fn check_rides(level: &Level, index: usize, mover: &Mover) -> Result<(), Flaw> {
 fn check_free(level: &Level, at: DVec2, entity: &Entity, field: &str) -> Result<(), Flaw> {
     let hero = Collider::hero();
     let inside = |feature: &Feature, offset: DVec2| {
-        let edges = feature.expand(&hero);
-        let chain: Vec<Point> = edges.iter().map(|edge| edge.a).collect();
-        Point::snap(at - offset)
-            .and_then(|p| winding(&chain, p))
-            .is_some_and(|turns| turns > 0)
+        let place = Drawn::of(at - offset);
+        place.is_some_and(|place| winds_about(&feature.expand(&hero), place))
     };
     let ends = |feature: &Feature, offset: DVec2| {
         let what = match feature.kind {

@@ -1,6 +1,7 @@
 //! The pieces of a level: terrain, and regions that stop nobody.
 
-use crate::geom::{Collider, ExpandedEdge, Point, expand, expand_about, expand_one_way};
+use crate::geom::drawn::length;
+use crate::geom::{Collider, Drawn, ExpandedEdge, Point, expand_drawn, expand_one_way_drawn};
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
@@ -112,12 +113,15 @@ impl Feature {
         })
     }
 
-    /// The outline on the grid; corners outside the world are left out, which a checked level has none of.
+    /// The corners as they were drawn; those outside the world are left out, which a checked level has none of.
+    pub fn drawn(&self) -> Vec<Drawn> {
+        let corners = self.outline.iter();
+        corners.filter_map(|&p| Drawn::of(p)).collect()
+    }
+
+    /// The outline on the grid.
     pub fn snapped(&self) -> Vec<Point> {
-        self.outline
-            .iter()
-            .filter_map(|&p| Point::snap(p))
-            .collect()
+        self.drawn().iter().map(|corner| corner.point()).collect()
     }
 
     /// How far the lower and the upper end of the region, as it is drawn, lie above those of the places where the foot of a body is
@@ -138,17 +142,21 @@ impl Feature {
     /// The edges of the feature for a body, which is then a point: around the places where it would overlap a solid or
     /// be in a region, or along those where a one-way holds it.
     pub fn expand(&self, body: &Collider) -> Vec<ExpandedEdge> {
-        let outline = self.snapped();
-        let foot = Point::default();
+        let outline = self.drawn();
+        let about = |at: Drawn| {
+            let outline: Vec<Drawn> = outline.iter().map(|p| p.moved(-at.x, -at.y)).collect();
+            expand_drawn(&outline, &Collider::point())
+        };
         match (self.kind, self.by()) {
-            (Kind::Solid, _) => expand(&outline, body),
-            (Kind::OneWay, _) => expand_one_way(&outline, body),
-            (_, By::Body) => expand(&outline, body),
-            (_, By::Foot) => expand_about(&outline, foot),
-            (_, By::Middle) => expand_about(&outline, middle(body)),
-            (_, By::Point(x, y)) => {
-                expand_about(&outline, Point::snap(DVec2::new(x, y)).unwrap_or(foot))
-            }
+            (Kind::Solid, _) => expand_drawn(&outline, body),
+            (Kind::OneWay, _) => expand_one_way_drawn(&outline, body),
+            (_, By::Body) => expand_drawn(&outline, body),
+            (_, By::Foot) => expand_drawn(&outline, &Collider::point()),
+            (_, By::Middle) => about(middle(body).into()),
+            (_, By::Point(x, y)) => about(Drawn {
+                x: length(x),
+                y: length(y),
+            }),
         }
     }
 }

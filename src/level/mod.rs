@@ -1,7 +1,8 @@
 //! Levels as data: what a level file says, and nothing of how it is played or drawn.
 //!
 //! A file is read by [`load`], which checks everything once ([`check`]); after that a [`Level`] is
-//! trusted. Lengths are metres, y points up, and the plane of play is depth 0. Features may overlap,
+//! trusted. Lengths are metres, y points up, and the plane of play is depth 0; what decimals of them mean is said in
+//! [`crate::geom::drawn`], and nowhere else. Features may overlap,
 //! touch and lie inside each other; what is absent on purpose: tiles, layers, holes, and any
 //! number that is a matter of feel (those are in [`crate::tune`]).
 
@@ -22,6 +23,7 @@ pub use mover::{Call, Easing, End, Mover, Repeat, Starts, Stop, is_upright};
 pub use place::{Area, Frame, Mood};
 pub use scenery::{Scenery, SceneryKind};
 
+use crate::geom::{Drawn, STEP};
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
@@ -69,8 +71,19 @@ pub struct Rect {
 }
 
 impl Rect {
-    /// Whether a point is inside or on the rim.
+    /// Whether a point is inside or on the rim, on the grid: who stands on a floor is in what begins at its height.
     pub fn contains(&self, p: DVec2) -> bool {
-        p.cmpge(self.min).all() && p.cmple(self.max).all()
+        let step = DVec2::splat(STEP);
+        if p.cmplt(self.min - step).any() || p.cmpgt(self.max + step).any() {
+            return false;
+        }
+        if p.cmpgt(self.min + step).all() && p.cmplt(self.max - step).all() {
+            return true;
+        }
+        let [p, min, max] = [p, self.min, self.max].map(|p| Drawn::of(p).map(Drawn::point));
+        let Some(((p, min), max)) = p.zip(min).zip(max) else {
+            return false;
+        };
+        (min.x..=max.x).contains(&p.x) && (min.y..=max.y).contains(&p.y)
     }
 }

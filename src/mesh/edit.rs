@@ -165,12 +165,18 @@ impl Mesh {
         let &Entry { id, kind, edges } = entry;
         let (feature, winds) = (id, !kind.has_fronts() && is_closed(edges));
         for (id, edge) in ids.iter().zip(edges) {
-            let &ExpandedEdge { a, b, source } = edge;
+            let &ExpandedEdge {
+                a,
+                b,
+                source,
+                aside,
+            } = edge;
             let segment = Segment {
                 a,
                 b,
                 feature,
                 source,
+                aside,
             };
             if id.index() == self.segments.len() {
                 self.segments.push(segment);

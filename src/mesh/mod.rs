@@ -34,7 +34,7 @@ mod triangulation;
 mod uses;
 mod walk;
 
-use crate::geom::{Point, predicates};
+use crate::geom::{Aside, Drawn, Point, predicates};
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -110,9 +110,36 @@ pub struct Segment {
     pub feature: FeatureId,
     /// What it comes from.
     pub source: Source,
+    /// How far beside its ends it was drawn.
+    pub aside: Aside,
 }
 
 impl Segment {
+    /// Its ends as they were drawn.
+    pub fn drawn(&self) -> [Drawn; 2] {
+        self.aside.ends(self.a, self.b)
+    }
+
+    /// A vertex of it as it was drawn: where it starts or ends; any other is where the grid has it.
+    pub fn drawn_at(&self, vertex: Point) -> Drawn {
+        let [a, b] = self.drawn();
+        match () {
+            () if vertex == self.a => a,
+            () if vertex == self.b => b,
+            () => vertex.into(),
+        }
+    }
+
+    /// From its start to its end as it was drawn, in parts; of an edge on the grid in steps.
+    #[inline]
+    pub fn direction(&self) -> (i64, i64) {
+        if self.aside.is_none() {
+            return predicates::delta(self.a, self.b);
+        }
+        let [a, b] = self.drawn();
+        b.vector_from(a)
+    }
+
     /// Orders feature edges by what they are and not by their ids.
     fn rank(&self) -> (FeatureId, Source, Point, Point) {
         (self.feature, self.source, self.a, self.b)

@@ -164,7 +164,7 @@ impl Uses {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geom::{Point, Source};
+    use crate::geom::{Aside, Point, Source};
 
     #[test]
     fn uses_are_listed_by_feature_whatever_the_order_of_arrival() {
@@ -175,6 +175,7 @@ mod tests {
             b,
             feature,
             source,
+            aside: Aside::default(),
         };
         let segments = [7, 3, 5].map(segment);
         let ids = |uses: &Uses, e| {

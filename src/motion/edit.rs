@@ -332,7 +332,7 @@ fn nearest_rim(ground: Ground, p: DVec2, v: DVec2) -> Option<(EdgeId, DVec2)> {
 }
 
 /// The nearest point of an edge, measured from its lower end, or of equally low ones the nearer, for the mirror's sake.
-fn nearest_on(ground: Ground, e: EdgeId, p: DVec2) -> DVec2 {
+pub(super) fn nearest_on(ground: Ground, e: EdgeId, p: DVec2) -> DVec2 {
     let [a, b] = [ground.origin(e), ground.dest(e)].map(|v| ground.point(v).metres());
     let nearer = (b.x - p.x).abs() < (a.x - p.x).abs();
     let (from, to) = match b.y < a.y || b.y == a.y && nearer {

@@ -8,14 +8,14 @@
 use super::body::Control;
 use super::law::{Law, drive};
 use super::terrain::{Ground, Terrain, Traits};
-use super::track::Track;
+use super::track::{Track, reduced};
 use crate::mesh::SegmentId;
 use crate::tune::Motion;
 
 /// Ground under a walker.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Footing {
-    /// Exact direction towards growing x, in grid steps without a common factor; `run` is positive.
+    /// Exact direction towards growing x as it was drawn, without a common factor; `run` is positive.
     rise: f64,
     run: f64,
     /// Length of that direction.
@@ -27,10 +27,9 @@ pub struct Footing {
 }
 
 impl Footing {
-    /// The ground along a road, of a feature with these traits.
-    pub fn of(track: &Track, traits: &Traits, t: &Motion) -> Footing {
-        let (dx, dy) = track.heading(if track.tangent.x < 0.0 { -1.0 } else { 1.0 });
-        let (run, rise) = (dx as f64, dy as f64);
+    /// Ground with this direction towards growing x, of a feature with these traits.
+    pub fn of((run, rise): (i64, i64), traits: &Traits, t: &Motion) -> Footing {
+        let (run, rise) = (run as f64, rise as f64);
         Footing {
             rise,
             run,
@@ -42,8 +41,14 @@ impl Footing {
 
     /// The ground along a feature edge, the road of which is known.
     pub(super) fn under(s: SegmentId, track: &Track, mesh: Ground, terrain: &Terrain) -> Footing {
-        let traits = terrain.traits_of(mesh.segment(s).feature);
-        Footing::of(track, &traits, terrain.tuning)
+        let segment = mesh.segment(s);
+        let sign = if track.tangent.x < 0.0 { -1.0 } else { 1.0 };
+        let direction = match segment.aside.is_none() {
+            true => track.heading(sign),
+            false => reduced(mesh.heading(s, track, sign)),
+        };
+        let traits = terrain.traits_of(segment.feature);
+        Footing::of(direction, &traits, terrain.tuning)
     }
 
     /// The law at a speed. It ends where the motion turns, which on a belt is not where it slips no more.
@@ -104,18 +109,10 @@ impl Footing {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geom::Point;
-    use crate::mesh::{Segment, Source};
 
     /// Ground that rises so many steps on so many.
     fn ground(rise: i32, run: i32, traits: Traits, t: &Motion) -> Footing {
-        let track = Track::of(&Segment {
-            a: Point::new(run, rise),
-            b: Point::new(0, 0),
-            feature: 0,
-            source: Source::Edge { edge: 0 },
-        });
-        Footing::of(&track, &traits, t)
+        Footing::of((run.into(), rise.into()), &traits, t)
     }
 
     fn running(run: f64) -> Control {

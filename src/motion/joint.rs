@@ -4,13 +4,13 @@ use super::body::{Body, EventKind, Mode, Size, Surface, Trace};
 use super::footing::Footing;
 use super::grip::Grip;
 use super::terrain::{Concave, Ground, Terrain};
-use super::track::{Track, cross, dot};
+use super::track::{Track, wide_cross, wide_dot};
 use super::vertex::{
     Bearing, Heading, JOINT_STEPS, Sector, ahead, behind, bridge, is_lip, past_lips, sector,
     segment_at, surface_next, turns_towards,
 };
 use crate::geom::STEP;
-use crate::mesh::{EdgeId, Segment, SegmentId, Source};
+use crate::mesh::{EdgeId, SegmentId, Source};
 use crate::tune::Motion;
 use glam::DVec2;
 
@@ -59,7 +59,7 @@ impl Joint {
             heading,
             segment: on.segment,
             track: on.track,
-            before: on.track.heading(sign),
+            before: mesh.heading(on.segment, &on.track, sign),
             beside: match heading {
                 Heading::Along => mesh.lnext(on.edge),
                 Heading::Against => on.edge,
@@ -95,7 +95,7 @@ impl Joint {
     pub(super) fn onto(&self, mesh: Ground, edge: EdgeId, segment: SegmentId) -> Onward {
         let track = mesh.track(segment);
         let sign = self.heading.sign(&track);
-        let after = track.heading(sign);
+        let after = mesh.heading(segment, &track, sign);
         let vertex = mesh.point(behind(mesh, edge, self.heading));
         Onward {
             edge,
@@ -105,8 +105,13 @@ impl Joint {
             after,
             start: track.parameter_at_joint(mesh.segment(segment), &self.track, vertex),
             towards: turns_towards(self.before, after, self.heading),
-            cosine: dot(self.before, after) as f64 / (length(self.before) * length(after)),
+            cosine: wide_dot(self.before, after) as f64 / (length(self.before) * length(after)),
         }
+    }
+
+    /// Whether a way on has the direction so far, as both were drawn.
+    fn goes_straight_on(&self, on: &Onward) -> bool {
+        wide_cross(self.before, on.after) == 0 && wide_dot(self.before, on.after) > 0
     }
 
     /// Whether the ground ends here, for what would continue it turns away or is not there at all.
@@ -118,35 +123,6 @@ impl Joint {
     pub(super) fn lost(&self, kept: f64) -> f64 {
         (self.speed * self.speed - kept * kept).max(0.0).sqrt()
     }
-
-    /// Whether a walker stays on the ground where it bends away.
-    ///
-    /// By curvature: iff s^2 k <= g cos(slope) + stick, with the slope of the bisector and k = 2 tan(turn / 2) over the
-    /// mean length of the two feature edges, each counted up to the curve span; independent of how finely a curve is drawn.
-    pub(super) fn holds(
-        &self,
-        after: (i64, i64),
-        next: &Segment,
-        mesh: Ground,
-        t: &Motion,
-    ) -> bool {
-        if t.joint == 0.0 {
-            return true;
-        }
-        if t.joint == 2.0 {
-            return self.speed == 0.0;
-        }
-        let (before, after) = (unit(self.before), unit(after));
-        let tan_half = before.perp_dot(after).abs() / (1.0 + before.dot(after));
-        let span = |segment: &Segment| {
-            let length = (segment.b.metres() - segment.a.metres()).length();
-            length.min(t.joint_span)
-        };
-        let curvature = 2.0 * tan_half / (0.5 * (span(mesh.segment(self.segment)) + span(next)));
-        let bisector = before + after;
-        let cos_slope = bisector.x.abs() / bisector.length();
-        self.speed * self.speed * curvature <= t.gravity * cos_slope + t.joint_stick
-    }
 }
 
 fn vector(v: (i64, i64)) -> DVec2 {
@@ -155,10 +131,6 @@ fn vector(v: (i64, i64)) -> DVec2 {
 
 fn length(v: (i64, i64)) -> f64 {
     vector(v).length()
-}
-
-fn unit(v: (i64, i64)) -> DVec2 {
-    vector(v) / length(v)
 }
 
 impl Body {
@@ -274,9 +246,11 @@ impl Body {
         let Mode::Surface(surface) = &mut self.mode else {
             return false;
         };
-        let straight = cross(joint.before, on.after) == 0 && dot(joint.before, on.after) > 0;
+        let edge = surface.edge;
+        let straight = joint.goes_straight_on(&on);
         let [from, to] = [joint.segment, on.segment].map(|s| mesh.segment(s).feature);
-        if straight && terrain.alike(from, to) {
+        let parallel = on.track.is_parallel(&joint.track);
+        if straight && parallel && terrain.alike(from, to) {
             // Parallel, within the steps of a joint: the same parameter, so the piece goes on.
             (surface.edge, surface.segment, surface.track) = (on.edge, on.segment, on.track);
             surface.since = (now - surface.t0).max(surface.since);
@@ -291,7 +265,7 @@ impl Body {
             return false;
         }
         let hops = !on.towards && !straight;
-        let hops = hops && !joint.holds(on.after, mesh.segment(on.segment), mesh, t);
+        let hops = hops && !joint.holds(edge, &on, mesh, t);
         if hops && !self.is_brought_back(&joint, terrain) {
             self.leave(joint, Some(on.edge), terrain, trace);
             return false;
@@ -407,6 +381,10 @@ impl Body {
                 Some(_) => self.stop(&joint, None, trace, mesh),
             };
         };
+        // Drawn as one line, which the grid has bent a little.
+        if joint.goes_straight_on(&on) && !on.track.is_parallel(&joint.track) {
+            return self.bend(&on, joint.speed, terrain, trace);
+        }
         if !on.towards {
             return self.leave(joint, Some(on.edge), terrain, trace);
         }
@@ -467,7 +445,7 @@ fn is_bump(joint: &Joint, on: &Onward, mesh: Ground) -> bool {
 fn keeps(joint: &Joint, on: &Onward, otherwise: bool, mesh: Ground, terrain: &Terrain) -> bool {
     let [from, to] = [joint.segment, on.segment].map(|s| mesh.segment(s).feature);
     let choice = terrain.concave_of(from, to);
-    dot(joint.before, on.after) > 0 && choice.map_or(otherwise, |c| c == Concave::Keep)
+    wide_dot(joint.before, on.after) > 0 && choice.map_or(otherwise, |c| c == Concave::Keep)
 }
 
 /// Whether a speed up a steep face carries a body higher than a joint may rise: only then it goes up at all, so that the ever

@@ -2,7 +2,7 @@
 
 use super::body::Surface;
 use super::terrain::Ground;
-use super::track::{Axis, Track, cross};
+use super::track::{Axis, Track, wide_cross};
 use super::vertex::{Heading, ahead, bridge, past_lips, segment_at, surface_next, turns_towards};
 use crate::geom::Point;
 use crate::mesh::{EdgeId, SegmentId};
@@ -26,7 +26,10 @@ pub fn beyond(mesh: Ground, e: EdgeId, heading: Heading, track: &Track) -> Beyon
     let Some((next, s)) = surface_next(mesh, e, heading).and_then(at) else {
         return Beyond::End;
     };
-    let judge = |(e, s)| judge(mesh, e, s, heading, track);
+    let here = mesh.facing(e).find(|&s| same_line(s));
+    let sign = heading.sign(track);
+    let before = here.map_or_else(|| track.heading(sign), |s| mesh.heading(s, track, sign));
+    let judge = |(e, s)| judge(mesh, e, s, heading, (track, before));
     if !same_line(s) {
         let far = past_lips(mesh, home, next, heading).and_then(at);
         match far.filter(|far| far.1 != s).and_then(judge) {
@@ -40,14 +43,20 @@ pub fn beyond(mesh: Ground, e: EdgeId, heading: Heading, track: &Track) -> Beyon
     })
 }
 
-/// What an edge that a wall leads to is to it; `None` for what is neither a wall nor ground, but turns away.
-fn judge(mesh: Ground, e: EdgeId, s: SegmentId, heading: Heading, track: &Track) -> Option<Beyond> {
+/// What an edge is to the wall that leads to it, of which the road and the direction up to there are known; `None` for what is
+/// neither a wall nor ground, but turns away.
+fn judge(
+    mesh: Ground,
+    e: EdgeId,
+    s: SegmentId,
+    heading: Heading,
+    (track, before): (&Track, (i64, i64)),
+) -> Option<Beyond> {
     let next = mesh.track(s);
     if next.same_line(track) {
         return Some(Beyond::Wall(e, s));
     }
-    let directed = |track: &Track| track.heading(heading.sign(track));
-    let (before, after) = (directed(track), directed(&next));
+    let after = mesh.heading(s, &next, heading.sign(&next));
     if turns_towards(before, after, heading) {
         return Some(Beyond::End);
     }
@@ -121,7 +130,11 @@ impl Surface {
                 return None;
             };
             (edge, segment, track) = (next, onward, mesh.track(onward));
-            if cross(track.heading(1.0), self.track.heading(1.0)) != 0 {
+            let [own, there] = [
+                mesh.heading(self.segment, &self.track, 1.0),
+                mesh.heading(segment, &track, 1.0),
+            ];
+            if wide_cross(own, there) != 0 || track.axis != self.track.axis {
                 return None;
             }
         }

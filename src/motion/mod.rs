@@ -7,12 +7,11 @@
 //! a free edge is one, and so results depend neither on the tick rate nor on how free space is triangulated.
 //!
 //! In reading order: [`terrain`] and [`mover`] (in what?), [`roots`] (when?), [`track`] (along what?), [`vertex`] (what
-//! next?), [`law`] and [`footing`] (how fast?), [`body`] (the state), [`event`] (what happens to it), `step` (the sequence
-//! of events) with `air`, `corner`, `surface`, `joint`, `held`, `snap`, `stair`, `one_way`, `region`, `ladder`, `mount` and `size`;
-//! [`wall`], [`grip`], [`ledge`] and `correct` (at walls); `beside` (the places in all other frames), `paths`, `ride`,
-//! `contact`, `push` and `at_once` (what moving solids do); [`Anchor`] (edits under a body), `opening` (when is a
-//! place free?), [`check`] (the invariants), [`vet`] (what comes
-//! from outside).
+//! next?), [`law`] and [`footing`] (how fast?), [`body`] (the state), `spawn`, [`event`] (what happens to it), `step` (the
+//! sequence of events) with `air`, `corner`, `surface`, `joint`, `curve`, `held`, `snap`, `stair`, `one_way`, `region`, `ladder`,
+//! `mount` and `size`; [`wall`], [`grip`], [`ledge`] and `correct` (at walls); `beside` (the places in all other frames),
+//! `paths`, `ride`, `contact`, `push` and `at_once` (what moving solids do); [`Anchor`] (edits under a body), `opening` (when is a
+//! place free?), [`check`] (the invariants), [`vet`] (what comes from outside).
 //!
 //! What is absent: swimming, and solids that rotate. Bodies do not meet each other.
 
@@ -24,6 +23,7 @@ pub mod check;
 mod contact;
 mod corner;
 mod correct;
+mod curve;
 mod edit;
 pub mod event;
 pub mod footing;
@@ -44,6 +44,7 @@ mod ride;
 pub mod roots;
 mod size;
 mod snap;
+mod spawn;
 mod stair;
 mod step;
 mod surface;

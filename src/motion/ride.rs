@@ -220,12 +220,13 @@ impl Body {
             let Some((edge, segment)) = ground_near(mesh, beside.flight.face, q, dx) else {
                 continue;
             };
-            let next = mesh.segment(segment);
             let track = mesh.track(segment);
             let sign = (dx * track.tangent.x).signum();
             let bends_away = track.normal.dot(before) > ROUNDING;
-            let follows =
-                !bends_away || joint.holds(track.heading(sign), next, from, terrain.tuning);
+            let follows = !bends_away || {
+                let (after, length) = (mesh.heading(segment, &track, sign), mesh.length(segment));
+                joint.holds_onto(after, length, from, terrain.tuning)
+            };
             let u = before.dot(w);
             if self.parts_from(beside, track.normal) || u < 0.0 || !follows {
                 continue;

@@ -2,8 +2,8 @@
 //!
 //! It is straight below the vertex where he would leave: found by an exact cast through the free faces, which meets a
 //! vertex or runs along a wall on the side that he is going to. So it can pass through nothing, and a slope that falls
-//! away under the vertex, too steep to walk on, is none to be set down on. Depths are compared in whole grid steps,
-//! the limit rounded to them.
+//! away under the vertex, too steep to walk on, is none to be set down on. Depths are compared as they were drawn
+//! ([`crate::geom::drawn`]).
 //!
 //! A foot with bevelled flanks slides off a corner along its flank: the expanded corner begins with edges that no feature
 //! has drawn. Those are followed first, along the border of free space, and what is looked for is where they end.
@@ -15,6 +15,7 @@ use super::body::{Body, EventKind, Trace};
 use super::joint::{Joint, Onward};
 use super::terrain::{Ground, Terrain};
 use super::vertex::{Bearing, Heading, Sector, ahead, bridge, sector, segment_at, surface_next};
+use crate::geom::drawn::{Height, SLACK};
 use crate::geom::{Point, STEP, Source, predicates::orient2d};
 use crate::mesh::{EdgeId, SegmentId, VertexId};
 use glam::DVec2;
@@ -48,9 +49,13 @@ impl Body {
         let mesh = self.ground(terrain);
         let next = onward.map(|on| on.edge);
         let home = mesh.point(mesh.origin(joint.spoke(next, mesh)));
-        let lowest = home.y - in_steps(t.floor_snap);
+        let depth = Depth {
+            from: mesh.height(joint.segment, home),
+            limit: t.floor_snap,
+            lowest: home.y - in_steps(t.floor_snap) - SLACK as i32,
+        };
         let found = match t.floor_snap > 0.0 {
-            true => below(&joint, onward, lowest, mesh),
+            true => below(&joint, onward, depth, mesh),
             false => None,
         };
         let place = |found: &Below| {
@@ -103,8 +108,31 @@ struct Below {
     segment: SegmentId,
 }
 
-/// The ground below a joint that is the end of the ground, not below a height.
-fn below(joint: &Joint, onward: Option<&Onward>, lowest: i32, mesh: Ground) -> Option<Below> {
+/// How deep ground may lie below the end of the ground.
+#[derive(Clone, Copy)]
+struct Depth {
+    from: Height,
+    /// m.
+    limit: f64,
+    /// The grid step that nothing within the limit lies below.
+    lowest: i32,
+}
+
+impl Depth {
+    /// Whether a feature edge of ground is within it at a world x, in grid steps.
+    fn holds(&self, mesh: Ground, s: SegmentId, x: i32) -> bool {
+        let segment = mesh.segment(s);
+        let end = [segment.a, segment.b].into_iter().find(|end| end.x == x);
+        match mesh.height(s, end.unwrap_or_default()) {
+            // Somewhere along a slope: the solid is left of a -> b, below.
+            Height::Rounded(_) => orient2d(segment.a, segment.b, Point::new(x, self.lowest)) >= 0,
+            ground => self.from.is_within(self.limit, ground),
+        }
+    }
+}
+
+/// The ground below a joint that is the end of the ground, not deeper than it may be.
+fn below(joint: &Joint, onward: Option<&Onward>, depth: Depth, mesh: Ground) -> Option<Below> {
     let heading = joint.heading;
     let mut spoke = joint.spoke(onward.map(|on| on.edge), mesh);
     let mut next = onward.map(|on| (on.edge, on.segment));
@@ -128,22 +156,19 @@ fn below(joint: &Joint, onward: Option<&Onward>, lowest: i32, mesh: Ground) -> O
         };
         if let Some((edge, segment)) = met {
             let x = mesh.point(end).x;
-            let found = is_within(mesh, segment, Point::new(x, lowest));
+            let found = depth.holds(mesh, segment, x);
             return found.then_some(Below { x, edge, segment });
         }
     }
-    let lowest = Point::new(mesh.point(mesh.origin(spoke)).x, lowest);
+    let x = mesh.point(mesh.origin(spoke)).x;
     let plumb = Plumb {
         mesh,
         forward: joint.forward(),
-        lowest,
+        x,
+        depth,
     };
     let (edge, segment) = plumb.ground(spoke)?;
-    Some(Below {
-        x: lowest.x,
-        edge,
-        segment,
-    })
+    Some(Below { x, edge, segment })
 }
 
 /// Whether a feature edge is a flank of the body's foot drawn round a corner of the ground, which falls away forwards and is
@@ -155,19 +180,14 @@ fn is_bevel(joint: &Joint, mesh: Ground, s: SegmentId) -> bool {
     falls && !mesh.walkable(s) && matches!(mesh.segment(s).source, Source::Corner { .. })
 }
 
-/// Whether a point is not above a feature edge of ground: the solid is left of a -> b, below.
-fn is_within(mesh: Ground, s: SegmentId, lowest: Point) -> bool {
-    let segment = mesh.segment(s);
-    orient2d(segment.a, segment.b, lowest) >= 0
-}
-
 /// A line straight down from a vertex; where it meets vertices it passes them on the side of the motion.
 struct Plumb<'a> {
     mesh: Ground<'a>,
     /// 1 or -1: the side of the motion.
     forward: f64,
-    /// Its lowest point.
-    lowest: Point,
+    /// Its place, in grid steps.
+    x: i32,
+    depth: Depth,
 }
 
 /// Where a plumb line goes on from a face.
@@ -188,7 +208,7 @@ impl Plumb<'_> {
         let mut ground = feature_edges.filter(|&(_, s)| mesh.walkable(s));
         ground
             .next()
-            .filter(|&(_, s)| is_within(mesh, s, self.lowest))
+            .filter(|&(_, s)| self.depth.holds(mesh, s, self.x))
     }
 
     /// The blocking edge that the line meets first; at a vertex both of its solid sector, the one ahead first.
@@ -237,7 +257,7 @@ impl Plumb<'_> {
         let mesh = self.mesh;
         let next = mesh.lnext(e);
         let last = mesh.lnext(next);
-        let is_left = |e: EdgeId| mesh.point(mesh.origin(e)).x < self.lowest.x;
+        let is_left = |e: EdgeId| mesh.point(mesh.origin(e)).x < self.x;
         if self.meets(last) {
             Way::Vertex(last)
         } else if is_left(next) != is_left(last) {
@@ -249,11 +269,11 @@ impl Plumb<'_> {
 
     /// Whether the start of an edge is on the line.
     fn meets(&self, e: EdgeId) -> bool {
-        self.mesh.point(self.mesh.origin(e)).x == self.lowest.x
+        self.mesh.point(self.mesh.origin(e)).x == self.x
     }
 
     fn is_too_deep(&self, below: &Way) -> bool {
-        let deep = |v: VertexId| self.mesh.point(v).y < self.lowest.y - DISPLACED;
+        let deep = |v: VertexId| self.mesh.point(v).y < self.depth.lowest - DISPLACED;
         match *below {
             Way::Vertex(e) => deep(self.mesh.origin(e)),
             Way::Edge(e) => deep(self.mesh.origin(e)) && deep(self.mesh.dest(e)),

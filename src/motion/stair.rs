@@ -3,8 +3,8 @@
 //! From the foot of the wall the border of free space is followed upwards, edge by edge, as long as it only rises and
 //! does not lean back over him. If it comes to walkable ground no higher than the limit, he is put there, at its
 //! beginning, with the speed that he had. All of that path is on the border of free space, so there is room for him:
-//! under a low ceiling the border runs into the ceiling first. Heights are compared in whole grid steps, the limit
-//! rounded to them.
+//! under a low ceiling the border runs into the ceiling first. Heights are compared as they were drawn
+//! ([`crate::geom::drawn`]).
 //!
 //! Stepping up is walking: it takes a wish in that direction, and ground to do it from. Who is carried to a step by a belt or
 //! by his momentum stops there, and who slides down a steep face onto a step is no walker.
@@ -14,6 +14,7 @@ use super::joint::Joint;
 use super::snap::in_steps;
 use super::terrain::{Ground, Terrain};
 use super::vertex::{behind, bridge, segment_at, surface_next};
+use crate::geom::drawn::SLACK;
 use crate::mesh::{EdgeId, SegmentId};
 
 /// More pieces than the side of any step has; a bound, so that a knot of rounded edges cannot hold the search for ever.
@@ -24,11 +25,10 @@ impl Body {
     pub(super) fn step_up(&mut self, joint: &Joint, terrain: &Terrain, trace: &mut Trace) -> bool {
         let t = terrain.tuning;
         let mesh = self.ground(terrain);
-        let limit = in_steps(t.step_up);
-        if limit == 0 || self.control.run * joint.forward() <= 0.0 {
+        if in_steps(t.step_up) == 0 || self.control.run * joint.forward() <= 0.0 {
             return false;
         }
-        let Some((edge, segment)) = top(joint, limit, mesh) else {
+        let Some((edge, segment)) = top(joint, t.step_up, mesh) else {
             return false;
         };
         let before = self.position().y;
@@ -43,14 +43,15 @@ impl Body {
     }
 }
 
-/// The walkable ground at the top of a wall at most `limit` grid steps high.
-fn top(joint: &Joint, limit: i32, mesh: Ground) -> Option<(EdgeId, SegmentId)> {
-    let heading = joint.heading;
-    let height = |e| mesh.point(behind(mesh, e, heading)).y;
+/// The walkable ground at the top of a wall at most `limit` metres high.
+fn top(joint: &Joint, limit: f64, mesh: Ground) -> Option<(EdgeId, SegmentId)> {
+    let start = |e| mesh.point(behind(mesh, e, joint.heading));
     let first = joint.next?;
-    let highest = height(first) + limit;
-    let found = climb(joint, first, highest, mesh)?;
-    (height(found.0) <= highest).then_some(found)
+    let highest = start(first).y + in_steps(limit) + SLACK as i32;
+    let (edge, segment) = climb(joint, first, highest, mesh)?;
+    let foot = mesh.height(joint.segment, start(first));
+    let top = mesh.height(segment, start(edge));
+    top.is_within(limit, foot).then_some((edge, segment))
 }
 
 /// Up the border of free space to walkable ground, not beyond a height.

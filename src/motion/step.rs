@@ -1,18 +1,13 @@
 //! The order of operations: controls come in at a time, events are taken in order of time up to another.
 
-use super::body::{
-    Air, Body, Control, Crushed, Event, EventKind, Mode, Next, Size, SpawnError, Surface, Trace,
-    Wedge,
-};
+use super::body::{Air, Body, Control, Event, EventKind, Mode, Next, Size, Surface, Trace, Wedge};
 use super::event::Way;
 use super::footing::Footing;
 use super::grip::Grip;
 use super::ladder::Reach;
 use super::law;
-use super::size::free_face_at;
 use super::terrain::Terrain;
-use super::vertex::{Bearing, spokes};
-use crate::mesh::{FaceId, Place, SegmentId};
+use crate::mesh::{FaceId, SegmentId};
 use glam::DVec2;
 
 /// So many events at one and the same time can only be a cycle. Far above the degree of any vertex of a sound level.
@@ -22,97 +17,6 @@ const CYCLE: u32 = 4096;
 pub(super) const CREEP: f64 = 8.0 * f64::EPSILON;
 
 impl Body {
-    /// A body at rest in the air, its foot at `at` (m), at a time (s).
-    ///
-    /// # Errors
-    /// If the position is no position of the world, or the standing body would overlap a solid there.
-    pub fn spawn(at: DVec2, time: f64, terrain: &Terrain) -> Result<Body, SpawnError> {
-        let mut body = Body::put(at, time, Size::Stand, terrain)?;
-        body.refresh(terrain, &mut Trace::default());
-        Ok(body)
-    }
-
-    /// A body of a size at rest in the air, before anything follows from that.
-    fn put(at: DVec2, time: f64, size: Size, terrain: &Terrain) -> Result<Body, SpawnError> {
-        // On ground it may stand, whatever rounding has made of that; but not in it.
-        let rounding = 8.0 * f64::EPSILON * at.abs().max_element().max(1.0);
-        let down = Bearing::of(DVec2::NEG_Y, DVec2::NEG_Y);
-        let face = free_face_at(terrain.ground(size), at, down, rounding)?;
-        let mut body = Body::lying(at, face, time);
-        body.size = size;
-        body.fly(at, DVec2::ZERO, face, [None; 2]);
-        body.find_places(terrain)?;
-        Ok(body)
-    }
-
-    /// The body where it is, as fast as it is and with what it wants, in other meshes and among other moving solids: standing
-    /// if it stands and has room for that, else crouched.
-    ///
-    /// # Errors
-    /// As [`Body::spawn`].
-    pub fn moved_to(&self, terrain: &Terrain, trace: &mut Trace) -> Result<Body, SpawnError> {
-        let put = |size| Body::put(self.position(), self.time, size, terrain);
-        let mut body = match self.size {
-            Size::Stand => put(Size::Stand).or_else(|_| put(Size::Crouch)),
-            Size::Crouch => put(Size::Crouch),
-        }?;
-        (body.control, body.pressed_at) = (self.control, self.pressed_at);
-        (body.rising, body.coyote_from) = (self.rising, self.coyote_from);
-        (body.climbing, body.reach) = (self.climbing, self.reach);
-        if let Mode::Air(air) = &mut body.mode {
-            air.v0 = self.velocity();
-        }
-        body.refresh(terrain, trace);
-        Ok(body)
-    }
-
-    /// Nobody: at a place without being there, until somebody comes. Nothing happens to it.
-    pub fn absent(at: DVec2, time: f64, terrain: &Terrain) -> Body {
-        let ground = terrain.ground(Size::Stand);
-        let face = ground.locate(at, None).and_then(|place| match place {
-            Place::Face(face) => Some(face),
-            Place::Edge(e) => ground.left(e).or(ground.left(ground.sym(e))),
-            Place::Vertex(v) => spokes(ground, v).find_map(|e| ground.left(e)),
-        });
-        let face = face.or(ground.faces().next());
-        let face = face.expect("a mesh has a face");
-        let mut body = Body::lying(at, face, time);
-        body.mode = Mode::Crushed(Crushed { at, face });
-        body
-    }
-
-    /// What a body that is not there wants when it comes.
-    pub fn wish(&mut self, control: Control) {
-        self.control = control;
-    }
-
-    fn lying(at: DVec2, face: FaceId, time: f64) -> Body {
-        Body {
-            mode: Mode::Wedge(Wedge { at, face }),
-            frame: None,
-            beside: Vec::new(),
-            meetings: Vec::new(),
-            lift: None,
-            size: Size::Stand,
-            control: Control::default(),
-            time,
-            pressed_at: None,
-            coyote_from: None,
-            off_wall: None,
-            regions: Vec::new(),
-            regions_move: false,
-            climbing: false,
-            ladder: None,
-            mount: None,
-            anew_at: None,
-            faces: 0.0,
-            reach: Reach::Open,
-            rising: false,
-            rides: None,
-            next: None,
-        }
-    }
-
     /// Sets the velocity, as an explosion or a test would: along the tangent on a surface. An event.
     pub fn set_velocity(&mut self, v: DVec2, terrain: &Terrain, trace: &mut Trace) {
         self.rebase();

@@ -3,9 +3,11 @@
 use super::body::Size;
 use super::mover::Mover;
 use super::snap::in_steps;
-use super::track::{Track, delta, walkable};
+use super::track::{Track, walkable};
 use super::vertex::JOINT_STEPS;
 use super::wall::is_wall;
+use crate::geom::Point;
+use crate::geom::drawn::Height;
 use crate::mesh::{EdgeId, FaceId, FeatureId, Kind, Mesh, Segment, SegmentId, Source, Use};
 use crate::tune::Motion;
 use serde::{Deserialize, Serialize};
@@ -280,7 +282,7 @@ impl<'a> Ground<'a> {
     /// Whether a feature edge is the top or the bottom of a ladder: rising at most 45 degrees.
     pub(super) fn is_end(&self, s: SegmentId) -> bool {
         let segment = self.mesh.segment(s);
-        let (dx, dy) = delta(segment.a, segment.b);
+        let (dx, dy) = segment.direction();
         dy.abs() <= dx.abs() && self.is_rung(segment.feature)
     }
 
@@ -340,6 +342,32 @@ impl<'a> Ground<'a> {
         (segment.b.metres() - segment.a.metres()).length()
     }
 
+    /// The exact direction of a motion along the road of a feature edge, towards growing (1) or falling (-1) parameters, as that
+    /// was drawn.
+    pub(super) fn heading(&self, s: SegmentId, track: &Track, sign: f64) -> (i64, i64) {
+        let segment = self.mesh.segment(s);
+        // The end of a ladder is met from the other side; nothing is compared with its direction.
+        if segment.aside.is_none() || self.mesh.kind(s) == Kind::Region {
+            return track.heading(sign);
+        }
+        let (dx, dy) = segment.direction();
+        match (sign > 0.0) == track.leftward_free {
+            true => (-dx, -dy),
+            false => (dx, dy),
+        }
+    }
+
+    /// The height of a feature edge at one of its vertices, as it was drawn: at its ends, or if it is level.
+    pub(super) fn height(&self, s: SegmentId, vertex: Point) -> Height {
+        let segment = self.mesh.segment(s);
+        let [a, b] = segment.drawn();
+        match () {
+            () if vertex == segment.a || a.y == b.y => Height::of(a),
+            () if vertex == segment.b => Height::of(b),
+            () => Height::rounded(vertex),
+        }
+    }
+
     /// The road along a feature edge; that of a ladder's end is on its inside.
     pub fn track(&self, s: SegmentId) -> Track {
         let segment = *self.mesh.segment(s);
@@ -348,6 +376,7 @@ impl<'a> Ground<'a> {
             Kind::Region => Track::of(&Segment {
                 a: b,
                 b: a,
+                aside: segment.aside.turned(),
                 ..segment
             }),
             _ => Track::of(&segment),

@@ -4,6 +4,7 @@
 //! coprime integers: so collinear edges share every bit whatever their length and direction, and a mirrored world
 //! gives mirrored bits.
 
+use crate::geom::drawn::rises_at_most;
 use crate::geom::{Point, STEP};
 use crate::mesh::Segment;
 use glam::DVec2;
@@ -170,6 +171,11 @@ impl Track {
         )
     }
 
+    /// Whether two roads have the same direction and the free side on the same side.
+    pub fn is_parallel(&self, other: &Track) -> bool {
+        self.direction == other.direction && self.leftward_free == other.leftward_free
+    }
+
     /// Whether two roads lie on one line, with the free side on the same side.
     pub fn same_line(&self, other: &Track) -> bool {
         self.direction == other.direction
@@ -200,20 +206,37 @@ pub fn cross(v: (i64, i64), w: (i64, i64)) -> i64 {
     v.0 * w.1 - v.1 * w.0
 }
 
+/// Cross product of two exact directions of any scale.
+pub fn wide_cross(v: (i64, i64), w: (i64, i64)) -> i128 {
+    i128::from(v.0) * i128::from(w.1) - i128::from(v.1) * i128::from(w.0)
+}
+
+/// Dot product of two exact directions of any scale.
+pub fn wide_dot(v: (i64, i64), w: (i64, i64)) -> i128 {
+    i128::from(v.0) * i128::from(w.0) + i128::from(v.1) * i128::from(w.1)
+}
+
 /// Dot product of two exact directions.
 pub fn dot(v: (i64, i64), w: (i64, i64)) -> i64 {
     v.0 * w.0 + v.1 * w.1
 }
 
-/// Whether a body can stand on a feature edge: the free side is up, and it rises at most `max_slope` per run.
+/// Whether a body can stand on a feature edge: the free side is up, and as it was drawn it rises at most `max_slope` per run.
 pub fn walkable(segment: &Segment, max_slope: f64) -> bool {
-    let (dx, dy) = delta(segment.a, segment.b);
-    dx < 0 && dy.unsigned_abs() as f64 <= max_slope * dx.unsigned_abs() as f64
+    let (dx, dy) = segment.direction();
+    segment.b.x < segment.a.x && dx < 0 && rises_at_most(dy.abs(), -dx, max_slope)
+}
+
+/// A direction by the smallest numbers.
+pub fn reduced((dx, dy): (i64, i64)) -> (i64, i64) {
+    let g = gcd(dx.unsigned_abs(), dy.unsigned_abs()).max(1) as i64;
+    (dx / g, dy / g)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geom::Aside;
     use crate::mesh::Source;
 
     fn segment(a: (i32, i32), b: (i32, i32)) -> Segment {
@@ -222,6 +245,7 @@ mod tests {
             b: Point::new(b.0, b.1),
             feature: 0,
             source: Source::Edge { edge: 0 },
+            aside: Aside::default(),
         }
     }
 

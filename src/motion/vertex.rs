@@ -2,7 +2,7 @@
 //! rounding leaves. Everything here is decided by topology and exact signs.
 
 use super::terrain::Ground;
-use super::track::{Track, cross, delta, dot};
+use super::track::{Track, delta, dot, wide_cross};
 use crate::geom::Point;
 use crate::mesh::{EdgeId, FaceId, Segment, SegmentId, VertexId};
 use glam::DVec2;
@@ -343,7 +343,7 @@ pub fn spokes(mesh: Ground<'_>, v: VertexId) -> impl Iterator<Item = EdgeId> + '
 /// Whether the surface turns towards the body at a vertex (a concave corner), given the exact directions of motion before
 /// and after it.
 pub fn turns_towards(before: (i64, i64), after: (i64, i64), heading: Heading) -> bool {
-    let turn = cross(before, after);
+    let turn = wide_cross(before, after);
     match heading {
         Heading::Along => turn > 0,
         Heading::Against => turn < 0,

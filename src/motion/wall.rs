@@ -5,7 +5,7 @@ use super::body::{Body, Control, EventKind, Mode, Next, Surface, Trace};
 use super::grip::Grip;
 use super::law::{self, Law};
 use super::terrain::Terrain;
-use super::track::{delta, walkable};
+use super::track::walkable;
 use crate::mesh::Segment;
 use crate::tune::Motion;
 use glam::DVec2;
@@ -36,7 +36,7 @@ pub struct OffWall {
 /// What overhangs more is a ceiling. Exact.
 pub fn is_wall(segment: &Segment, max_slope: f64) -> bool {
     // The free side is on the right of a -> b: an edge that runs to the right there faces down.
-    let (dx, dy) = delta(segment.a, segment.b);
+    let (dx, dy) = segment.direction();
     !walkable(segment, max_slope) && OVERHANG * dx <= dy.abs()
 }
 

@@ -188,10 +188,8 @@ pub fn centred_box(half_width: f64, half_height: f64) -> Collider {
 
 /// Loose segments as one feature: a wire.
 pub fn wire(segments: &[(Point, Point)]) -> Vec<ExpandedEdge> {
-    let edge = |(i, &(a, b)): (usize, &(Point, Point))| ExpandedEdge {
-        a,
-        b,
-        source: Source::Edge { edge: i as u32 },
+    let edge = |(i, &(a, b)): (usize, &(Point, Point))| {
+        ExpandedEdge::new(a, b, Source::Edge { edge: i as u32 })
     };
     segments.iter().enumerate().map(edge).collect()
 }

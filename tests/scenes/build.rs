@@ -32,7 +32,7 @@ impl Scene {
         let wires = self.wires.iter().map(|&(a, b)| {
             let [a, b] = [a, b].map(|p| Point::snap(variant.there(p)).unwrap());
             let source = Source::Edge { edge: 0 };
-            (Kind::Solid, vec![ExpandedEdge { a, b, source }])
+            (Kind::Solid, vec![ExpandedEdge::new(a, b, source)])
         });
         let one_ways = self
             .one_ways
@@ -44,11 +44,7 @@ impl Scene {
             .map(|(_, outline)| (Kind::Region, expand(&snap(outline), &Collider::point())));
         let lines = self.lines.iter().map(|&(a, b)| {
             let [a, b] = [a, b].map(|p| Point::snap(variant.there(p)).unwrap());
-            let edge = |a, b, edge| ExpandedEdge {
-                a,
-                b,
-                source: Source::Edge { edge },
-            };
+            let edge = |a, b, edge| ExpandedEdge::new(a, b, Source::Edge { edge });
             (Kind::Line, vec![edge(a, b, 0), edge(b, a, 1)])
         });
         let features = outlines
