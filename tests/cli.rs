@@ -485,3 +485,27 @@ fn what_moves_over_a_place_of_return_is_told_by_the_check() {
     );
     assert!(!out.contains("cart") && !out.contains("the start"), "{out}");
 }
+
+#[test]
+fn what_does_not_mean_what_it_seems_to_is_told_by_the_check() {
+    let folder = Folder::new("seems");
+    // Two slopes of nearly 45 degrees, one of exactly that, a curve of short pieces, and a one-way in the rock.
+    let features = "(id: \"floor\", outline: [(-9, -1), (20, -1), (20, 0), (-9, 0)]),
+                    (id: \"steep\", outline: [(2, 0), (4.1, 0), (4.1, 2.101)]),
+                    (id: \"flat\", outline: [(9, 0), (7, 1.999), (7, 0)]),
+                    (id: \"exact\", outline: [(10.1, 0), (12.4, 0), (12.4, 2.3)]),
+                    (id: \"curve\", outline: [(15, 0), (15.04, 0.0401), (15.04, 0)]),
+                    (id: \"buried\", kind: OneWay, outline: [(-3, -0.6), (-1, -0.6)]),
+                    (id: \"shelf\", kind: OneWay, outline: [(-3, 2), (-1, 2)]),";
+    let file = folder.write("seems.ron", &level(features));
+    let mut command = program(&["--check", &file, "--ticks", "500"]);
+    let out = String::from_utf8(command.output().unwrap().stdout).unwrap();
+    for words in [
+        "wrong     feature \"steep\", outline[2] to outline[0]: rises 1.000476 on 1, just over the limit of 1",
+        "wrong     feature \"flat\", outline[0] to outline[1]: rises 0.999500 on 1, just under the limit of 1",
+        "wrong     feature \"buried\", from outline[0] on: this one-way holds nobody",
+    ] {
+        assert!(out.contains(words), "{out}");
+    }
+    assert!(out.ends_with("found     3 wrong\n"), "{out}");
+}

@@ -2,7 +2,9 @@
 //! invariant watched. Each part is a file of its own, and a line of [`PARTS`].
 
 mod meshes;
+mod one_ways;
 mod purpose;
+mod slopes;
 mod sweeps;
 mod walks;
 
@@ -15,8 +17,14 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// The parts of the check, in the order in which they are done and told.
-const PARTS: &[fn(&Case, &mut Report)] =
-    &[meshes::check, purpose::check, sweeps::check, walks::check];
+const PARTS: &[fn(&Case, &mut Report)] = &[
+    meshes::check,
+    purpose::check,
+    slopes::check,
+    one_ways::check,
+    sweeps::check,
+    walks::check,
+];
 
 /// Ticks that are walked unless asked otherwise.
 pub const TICKS: u64 = 100_000;
