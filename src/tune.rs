@@ -85,7 +85,7 @@ tunables! {
         over_speed_decay = 20.0 in 0.0..=2000.0, "m/s^2", "Deceleration while faster than wished in the wished direction.";
         crouch_speed = 3.0 in 0.0..=60.0, "m/s", "Speed that full stick asks for while crouched.";
         air_accel = 50.0 in 0.0..=2000.0, "m/s^2", "Sideways acceleration in the air.";
-        air_brake = 30.0 in 0.0..=2000.0, "m/s^2", "Sideways deceleration in the air with the stick released.";
+        air_brake = 30.0 in 0.0..=2000.0, "m/s^2", "Sideways deceleration in the air with the stick released or turned.";
         gravity = 45.0 in 0.0..=400.0, "m/s^2", "Downward acceleration in the air.";
         jump_speed = 16.0 in 0.0..=100.0, "m/s", "Upward speed at a jump.";
         jump_cut_speed = 5.0 in 0.0..=100.0, "m/s", "Upward speed that remains when the jump key is let go while rising.";
@@ -100,9 +100,9 @@ tunables! {
         joint = 1.0 in 0.0..=2.0, "", "What holds a walker to the ground where it bends away.", ["stick always", "curvature", "ballistic"];
         joint_stick = 40.0 in 0.0..=1000.0, "m/s^2", "Acceleration beside gravity that holds a walker to ground that curves away.";
         joint_span = 1.0 in 0.0001..=100.0, "m", "Longest stretch of an edge that counts as part of the curve at its end.";
-        concave = 0.0 in 0.0..=1.0, "", "What a bend towards the walker does to the speed.", ["keep", "project"];
+        concave = 0.0 in 0.0..=1.0, "", "What a bend between walkable grounds towards the walker does to the speed; one to or from what is steeper takes it as if projected.", ["keep", "project"];
         slope_gravity = 0.0 in 0.0..=1.0, "", "Share of gravity that acts along walkable ground on one who has no wish.";
-        friction = 0.0 in 0.0..=10.0, "", "Coefficient of friction of walkable ground, beside the brake.";
+        friction = 0.0 in 0.0..=10.0, "", "Coefficient of friction of walkable ground on one who has no wish, beside the brake.";
         slope_speed = 0.0 in 0.0..=1.0, "", "Share of the wished speed lost uphill and won downhill, times the sine of the slope.";
         floor_snap = 0.2 in 0.0..=1.0, "m", "How far below the end of the ground a walker is set down on the next.";
         step_up = 0.2 in 0.0..=1.0, "m", "How high a step a walker takes without a jump.";
