@@ -14,8 +14,11 @@ use std::path::Path;
 use std::sync::Arc;
 use worlds::Dice;
 
-/// How many places each scene is tried at, unless the environment says otherwise.
-const PLACES: u32 = 300;
+/// How many places the walk over all limits is tried at, unless the environment says otherwise.
+const PLACES: u32 = 3000;
+
+/// Each other scene is tried at one in so many.
+const SHARE: u32 = 15;
 
 /// Rasters, in micrometres.
 const RASTERS: [i64; 3] = [100_000, 10_000, 1_000];
@@ -143,10 +146,10 @@ type Trial = fn(&Place, &mut Dice) -> Option<String>;
 
 /// Tries a scene at many places: none may fail.
 fn everywhere(name: &str, trial: Trial) {
-    tried(name, 1, trial);
+    tried(name, SHARE, trial);
 }
 
-/// Tries one that takes long at a share of them.
+/// Tries one at one place in so many.
 fn tried(name: &str, share: u32, trial: Trial) {
     let count = std::env::var("PLACES").ok();
     let count = count.map_or(PLACES, |count| count.parse().expect("a number of places"));
@@ -323,7 +326,7 @@ fn scene_44_a_step_down_at_the_limit_is_walked_and_off_one_beyond_it_he_falls() 
     });
 }
 
-/// Whether a one-way of a slope holds who falls on its middle.
+/// Whether one who falls on the middle of a one-way of a slope comes to stand on it.
 fn holds(place: &Place, run: i64, rise: i64, tuning: &Motion) -> Option<bool> {
     let line = format!("kind: OneWay, {}", place.line(&[(0, 0), (run, rise)]));
     let start = (run / 2, rise / 2 + M);
@@ -337,7 +340,7 @@ fn holds(place: &Place, run: i64, rise: i64, tuning: &Motion) -> Option<bool> {
         world.step(Input::default(), &tuning);
     }
     let (up, stands) = height(world, place);
-    stands.then_some(up > 0)
+    Some(stands && up > 0)
 }
 
 #[test]
@@ -611,7 +614,7 @@ fn stays(place: &Place, (angle, radius, piece): (f64, f64, f64), speed: f64) -> 
 
 #[test]
 fn scene_42_a_curve_holds_alike_however_finely_it_is_drawn() {
-    tried("curves", 20, |place, dice| {
+    tried("curves", 20 * SHARE, |place, dice| {
         let piece = [0.001, 0.002, 0.005, 0.009, 0.013, 0.025, 0.05][dice.below(7) as usize];
         let forty = 40.0_f64.to_radians();
         // s^2 k is 12.8, 64 and 107; gravity and stick make 74 on the steepest stretch and 85 on the level.
@@ -634,5 +637,57 @@ fn scene_42_a_curve_holds_alike_however_finely_it_is_drawn() {
             }
         }
         None
+    });
+}
+
+/// Up a ramp, a step up, a step down; then onto a one-way, and into a room that begins at its floor.
+#[test]
+fn all_that_is_exactly_at_a_limit_is_within_it() {
+    tried("walks over all limits", 1, |place, dice| {
+        let run = place.up(M + i64::from(dice.below(2_000_000)));
+        let step = 200_000;
+        let line = place.line(&[(-20 * M, 4 * M), (-20 * M + run, 4 * M + run)]);
+        let area =
+            |name: &str, room: String| format!("(name: \"{name}\", room: {room}, mood: Dusk)");
+        let areas = [
+            area("upper", place.room((-8 * M, 0), (0, 3 * M))),
+            area("else", place.room((-30 * M, DEEP), (30 * M, 9 * M))),
+        ];
+        let features = [
+            block(place, (-8 * M, DEEP), (0, 0)),
+            place.outline(&[(0, DEEP), (run, DEEP), (run, run), (0, 0)]),
+            block(place, (run, DEEP), (run + 2 * M, run)),
+            block(place, (run + 2 * M, DEEP), (run + 4 * M, run + step)),
+            block(place, (run + 4 * M, DEEP), (run + 20 * M, run)),
+            format!("kind: OneWay, {line}"),
+        ];
+        let Some(mut world) = place.world((-2 * M, 0), &features, &areas) else {
+            return Some("the start is refused".into());
+        };
+        if !stands_at_once(&mut world, place, (-2 * M, 0)) || world.view().area != 0 {
+            return Some("does not stand in the room where he starts".into());
+        }
+        let mut highest = 0;
+        for _ in 0..180 {
+            world.step(place.run(127), &Tuning::default());
+            let (up, stands) = height(&world, place);
+            highest = highest.max(up);
+            if !stands {
+                return Some(format!("in the air at {up}"));
+            }
+        }
+        let (up, _) = height(&world, place);
+        if (up - run).abs() > 40 || (highest - run - step).abs() > 40 {
+            return Some(format!("up to {highest}, then at {up}, of {run}"));
+        }
+        let over = (-20 * M + run / 2, 4 * M + run / 2 + 300_000);
+        if world.put(place.metres(over)).is_err() {
+            return Some("no room over the one-way".into());
+        }
+        for _ in 0..30 {
+            world.step(Input::default(), &Tuning::default());
+        }
+        let (up, stands) = height(&world, place);
+        (!stands || up < 4 * M).then(|| format!("the one-way does not hold: {up}"))
     });
 }
