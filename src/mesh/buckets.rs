@@ -3,6 +3,10 @@
 //! Cells are squares of a power of two of steps. A segment is registered in every cell that it comes
 //! within one step of, a pixel in the cell of its point; so the segments that meet a pixel are among those
 //! of the pixel's cell, and the pixels that a segment meets are among those of the segment's cells.
+//!
+//! A cell with many pixels is split into smaller ones, so lists stay short wherever crossings crowd.
+
+mod split;
 
 use super::VertexId;
 use super::topology::NONE;
@@ -26,6 +30,10 @@ pub struct Buckets {
     cells: Vec<Cell>,
     /// Blocks that can be given away.
     vacant: Vec<u32>,
+    /// Cells that have cells instead of lists.
+    splits: Vec<split::Split>,
+    /// Those of them that can be given away.
+    vacant_splits: Vec<u32>,
     links: Vec<Link>,
     /// The first of the unused links.
     free: u32,
@@ -33,12 +41,15 @@ pub struct Buckets {
     pixels: Vec<Pixel>,
 }
 
-/// The first link of a cell's segments, and the first of its pixels.
+/// The first link of a cell's segments, and the first of its pixels; of one that is split see [`Cell::split`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Cell {
     segments: u32,
     pixels: u32,
 }
+
+/// The corners of all cells.
+const EVERYWHERE: ((i64, i64), (i64, i64)) = ((i64::MIN, i64::MIN), (i64::MAX, i64::MAX));
 
 /// Cells in a block.
 const BLOCK: usize = 16;
@@ -100,6 +111,8 @@ impl Buckets {
             recent: None,
             cells: Vec::new(),
             vacant: Vec::new(),
+            splits: Vec::new(),
+            vacant_splits: Vec::new(),
             links: Vec::new(),
             free: NONE,
             pixels: reserved.iter().map(pixel).collect(),
@@ -132,14 +145,24 @@ impl Buckets {
 
     /// The block at a place, made if it is not there.
     fn block(&mut self, place: u64) -> u32 {
-        let block = *self.blocks.entry(place).or_insert_with(|| {
-            self.vacant.pop().unwrap_or_else(|| {
-                self.cells.extend([EMPTY; BLOCK]);
-                (self.cells.len() / BLOCK) as u32 - 1
-            })
-        });
+        let block = match self.blocks.get(&place) {
+            Some(&block) => block,
+            None => {
+                let block = self.make_block();
+                self.blocks.insert(place, block);
+                block
+            }
+        };
         self.recent = Some((place, block));
         block
+    }
+
+    /// A block of empty cells.
+    fn make_block(&mut self) -> u32 {
+        self.vacant.pop().unwrap_or_else(|| {
+            self.cells.extend([EMPTY; BLOCK]);
+            (self.cells.len() / BLOCK) as u32 - 1
+        })
     }
 
     /// Lets the block of a cell go if nothing is left in it.
@@ -157,7 +180,20 @@ impl Buckets {
     }
 
     /// Calls `each` with column and row of the cells within one step of a segment, each once, in a fixed order.
-    fn along(shift: u32, a: Point, b: Point, mut each: impl FnMut(i64, i64)) {
+    #[inline]
+    fn along(shift: u32, a: Point, b: Point, each: impl FnMut(i64, i64)) {
+        Self::along_within(shift, a, b, EVERYWHERE, each);
+    }
+
+    /// The same for the cells between two corners.
+    #[inline]
+    fn along_within(
+        shift: u32,
+        a: Point,
+        b: Point,
+        (least, most): ((i64, i64), (i64, i64)),
+        mut each: impl FnMut(i64, i64),
+    ) {
         let (low, high) = if a.y <= b.y { (a, b) } else { (b, a) };
         let (lx, ly, hx, hy) = (
             i64::from(low.x),
@@ -166,14 +202,15 @@ impl Buckets {
             i64::from(high.y),
         );
         let (first, last) = ((ly - 1) >> shift, (hy + 1) >> shift);
-        for row in first..=last {
+        for row in first.max(least.1)..=last.min(most.1) {
             // The part of the segment within one step of this row, in x, rounded outwards.
             let from = (row << shift) - 1;
             let to = ((row + 1) << shift) + 1;
             let at = |y: i64| lx + ((hx - lx) * (y - ly)).div_euclid(hy - ly);
             let x = if from <= ly { lx } else { at(from.min(hy)) };
             let y = if to >= hy { hx } else { at(to.max(ly)) };
-            for column in (x.min(y) - 1) >> shift..=(x.max(y) + 2) >> shift {
+            let (left, right) = ((x.min(y) - 1) >> shift, (x.max(y) + 2) >> shift);
+            for column in left.max(least.0)..=right.min(most.0) {
                 each(column, row);
             }
         }
@@ -208,7 +245,7 @@ impl Buckets {
     /// The segments in the cell of a point.
     pub fn segments_at(&self, p: Point) -> impl Iterator<Item = u32> + '_ {
         let (column, row) = self.cell_of(p);
-        let slot = self.find(column, row);
+        let slot = self.find(column, row).map(|slot| self.leaf(slot, p));
         self.segments_from(slot.map_or(NONE, |slot| self.cells[slot as usize].segments))
     }
 
@@ -232,9 +269,13 @@ impl Buckets {
 
     /// Removes a segment from all cells that it is in.
     pub fn remove_segment(&mut self, a: Point, b: Point, segment: u32) {
+        let mut leaves = Vec::new();
         Self::along(self.shift, a, b, |column, row| {
             if let Some(slot) = self.find(column, row) {
-                self.unlink(slot, segment);
+                self.leaves_along(slot, a, b, &mut leaves);
+                for leaf in leaves.drain(..) {
+                    self.unlink(leaf, segment);
+                }
                 self.tidy(slot, column, row);
             }
         });
@@ -292,47 +333,71 @@ impl Buckets {
             .flat_map(move |dx| order.map(|dy| (column + dx, row + dy)));
         cells
             .filter_map(|(column, row)| self.find(column, row))
-            .flat_map(|slot| self.pixels(slot).map(|pixel| pixel.0))
+            .flat_map(move |slot| self.pixels_below(slot, p))
     }
 
-    /// Makes the pixel of a point hot, with the vertex that `name` gives it; nothing if it is hot.
-    pub fn heat(&mut self, p: Point, name: impl FnOnce(&Self) -> VertexId) -> Option<VertexId> {
+    /// Makes the pixel of a point hot, with the vertex that `name` gives it; nothing if it is hot. A cell that is split for it
+    /// asks for the ends of segments.
+    pub fn heat(
+        &mut self,
+        p: Point,
+        name: impl FnOnce(&Self) -> VertexId,
+        ends: &[(Point, Point)],
+    ) -> Option<VertexId> {
         let (column, row) = self.cell_of(p);
-        let slot = self.slot(column, row);
-        if self.pixels(slot).any(|pixel| pixel.1 == p) {
-            return None;
+        let top = self.slot(column, row);
+        let slot = self.leaf(top, p);
+        let mut others = 0;
+        for (_, other) in self.pixels(slot) {
+            if other == p {
+                return None;
+            }
+            others += 1;
         }
         let v = name(self);
-        let head = &mut self.cells[slot as usize].pixels;
         let pixel = Pixel {
             point: p,
-            next: std::mem::replace(head, v.0),
+            next: NONE,
         };
         match self.pixels.get_mut(v.index()) {
             Some(free) => *free = pixel,
             None => self.pixels.push(pixel),
         }
+        self.add_pixel(slot, v);
+        if slot != top || others >= split::MANY {
+            self.grow(top, p, others, ends);
+        }
         Some(v)
+    }
+
+    /// Puts a hot pixel into a cell's list.
+    fn add_pixel(&mut self, slot: Slot, v: VertexId) {
+        let head = &mut self.cells[slot as usize].pixels;
+        self.pixels[v.index()].next = std::mem::replace(head, v.0);
     }
 
     /// Forgets a hot pixel.
     pub fn cool(&mut self, v: VertexId) {
         let Pixel { point, next } = self.pixels[v.index()];
         let (column, row) = self.cell_of(point);
-        let Some(slot) = self.find(column, row) else {
+        let Some(top) = self.find(column, row) else {
             return;
         };
+        let slot = self.leaf(top, point);
         let head = &mut self.cells[slot as usize].pixels;
         if *head == v.0 {
             *head = next;
-            self.tidy(slot, column, row);
-            return;
+        } else {
+            let mut before = *head as usize;
+            while self.pixels[before].next != v.0 {
+                before = self.pixels[before].next as usize;
+            }
+            self.pixels[before].next = next;
         }
-        let mut before = *head as usize;
-        while self.pixels[before].next != v.0 {
-            before = self.pixels[before].next as usize;
+        if slot != top {
+            self.shrink(top, point);
         }
-        self.pixels[before].next = next;
+        self.tidy(top, column, row);
     }
 }
 
@@ -402,7 +467,7 @@ mod tests {
         let mut buckets = Buckets::new(3, &[Point::new(0, 0); 20]);
         for &(x, y) in points {
             let next = |b: &Buckets| VertexId(b.vertex_count() as u32);
-            let v = buckets.heat(Point::new(x, y), next);
+            let v = buckets.heat(Point::new(x, y), next, &[]);
             assert!(v.is_some(), "not hot yet");
         }
         buckets
@@ -420,12 +485,74 @@ mod tests {
         assert_eq!(around(8, 0), [22, 24, 21, 23]);
     }
 
+    /// All that buckets say of every point of a square, and what is in memory for it.
+    fn said(buckets: &Buckets, ends: &[(Point, Point)], side: i32) -> Vec<(Vec<u32>, Vec<u32>)> {
+        let points = (0..side * side).map(|i| Point::new(i % side, i / side));
+        let said = |p: Point| {
+            let met = |&s: &u32| meets_pixel(ends[s as usize].0, ends[s as usize].1, p);
+            let mut segments: Vec<u32> = buckets.segments_at(p).filter(met).collect();
+            segments.sort_unstable();
+            let hot = |v: &VertexId| buckets.point(*v) == p;
+            let pixels = buckets.pixels_around(p).filter(hot).map(|v| v.0);
+            (segments, pixels.collect())
+        };
+        points.map(said).collect()
+    }
+
+    #[test]
+    fn crowded_cells_are_split_and_made_whole_again() {
+        let side = 70;
+        let segment = |i: i32| (Point::new(i * 7, 3), Point::new(69 - i * 3, 66));
+        let ends: Vec<(Point, Point)> = (0..10).map(segment).collect();
+        let mut buckets = Buckets::new(6, &[]);
+        let add = |buckets: &mut Buckets, segment: usize| {
+            let ((a, b), mut slots, mut leaves) = (ends[segment], Vec::new(), Vec::new());
+            buckets.slots_along(a, b, &mut slots);
+            for slot in slots {
+                buckets.leaves_along(slot, a, b, &mut leaves);
+            }
+            for leaf in leaves {
+                buckets.add_segment(leaf, segment as u32);
+            }
+        };
+        (0..5).for_each(|segment| add(&mut buckets, segment));
+        let sparse = said(&buckets, &ends, side);
+        let points: Vec<Point> = (0..900)
+            .map(|i| Point::new(i * 31 % side, i * 47 % 63))
+            .collect();
+        let next = |b: &Buckets| VertexId(b.vertex_count() as u32);
+        let born: Vec<VertexId> = points
+            .iter()
+            .filter_map(|&p| buckets.heat(p, next, &ends))
+            .collect();
+        assert!(born.len() > 400 && buckets.cells.len() > 10 * BLOCK);
+        (5..10).for_each(|segment| add(&mut buckets, segment));
+        for (i, (segments, pixels)) in said(&buckets, &ends, side).into_iter().enumerate() {
+            let p = Point::new(i as i32 % side, i as i32 / side);
+            let met = (0..10).filter(|&s| meets_pixel(ends[s].0, ends[s].1, p));
+            assert_eq!(segments, met.map(|s| s as u32).collect::<Vec<_>>(), "{p:?}");
+            let hot = born.iter().filter(|v| buckets.point(**v) == p).map(|v| v.0);
+            assert_eq!(pixels, hot.collect::<Vec<_>>(), "{p:?}");
+        }
+        for (segment, &(a, b)) in ends.iter().enumerate().skip(5) {
+            buckets.remove_segment(a, b, segment as u32);
+        }
+        born.iter().for_each(|&v| buckets.cool(v));
+        assert_eq!(said(&buckets, &ends, side), sparse);
+        let gone = buckets.vacant.len() * BLOCK;
+        assert!(
+            buckets.cells.len() - gone <= 4 * BLOCK,
+            "all cells are whole"
+        );
+        assert_eq!(buckets.splits.len(), buckets.vacant_splits.len());
+    }
+
     #[test]
     fn pixels_heat_up_and_cool_down() {
         let points = [(1, 1), (2, 2), (3, 3), (40, 1)];
         for order in [[0, 1, 2], [2, 1, 0], [1, 0, 2], [1, 2, 0]] {
             let mut buckets = heated(&points);
-            let again = buckets.heat(Point::new(2, 2), |_| VertexId(99));
+            let again = buckets.heat(Point::new(2, 2), |_| VertexId(99), &[]);
             assert_eq!(again, None, "it is hot");
             for (gone, i) in order.into_iter().enumerate() {
                 buckets.cool(VertexId(20 + i));
@@ -433,7 +560,7 @@ mod tests {
             }
             buckets.cool(VertexId(23));
             assert_eq!(
-                buckets.heat(Point::new(99, 9), |_| VertexId(21)),
+                buckets.heat(Point::new(99, 9), |_| VertexId(21), &[]),
                 Some(VertexId(21))
             );
             assert_eq!(buckets.point(VertexId(21)), Point::new(99, 9));

@@ -187,7 +187,7 @@ impl Mesh {
     /// Across each edge the covers differ by the features that run along it; nothing winds backwards.
     fn check_covers(&self) -> Result<(), Wrong> {
         let t = self.topology();
-        ensure(self.covers.windings(OUTSIDE).is_empty(), || {
+        ensure(self.covers.windings(OUTSIDE).next().is_none(), || {
             "the outside is covered".into()
         })?;
         for e in t.edges() {
@@ -206,10 +206,10 @@ impl Mesh {
 
     fn check_step(&self, e: Quarter) -> Result<(), Wrong> {
         let t = self.topology();
-        let mut windings = self.covers.windings(t.left(sym(e))).to_vec();
+        let mut windings: Vec<_> = self.covers.windings(t.left(sym(e))).collect();
         self.gain(e, &mut windings);
         merge(&mut windings);
-        let found = self.covers.windings(t.left(e));
+        let found: Vec<_> = self.covers.windings(t.left(e)).collect();
         ensure(windings == found, || {
             format!("edge {e}: its left is covered {found:?}, not {windings:?}")
         })

@@ -11,7 +11,7 @@ use super::regions::Regions;
 use super::short::Short;
 use super::topology::{NONE, OUTSIDE, Quarter, Topology, sym};
 use std::collections::{BTreeSet, HashMap};
-use std::hash::{BuildHasherDefault, Hash, Hasher};
+use std::hash::{BuildHasherDefault, Hasher};
 
 /// How often each feature winds around a place; ascending by feature, no zeros.
 pub type Windings = Vec<(FeatureId, i32)>;
@@ -30,14 +30,30 @@ const PASSES: usize = 4;
 
 #[derive(Clone, Debug)]
 struct Cover {
-    windings: Short<(FeatureId, i32), 3>,
+    /// Those that wind around the place in their own sense: all of them, once each, if `odd` does not tell otherwise.
     features: Short<FeatureId, 4>,
+    /// All that wind around it, and how often, if some do otherwise than once.
+    odd: Option<Box<[(FeatureId, i32)]>>,
+    /// The sum of what [`hash_of`] says of each.
+    hash: u64,
     /// Whether one of the features is a solid.
     solid: bool,
     /// How many faces have it.
     faces: u32,
     /// Another cover with the same hash.
     next: CoverId,
+}
+
+impl Cover {
+    fn windings(&self) -> impl Iterator<Item = (FeatureId, i32)> + '_ {
+        let once: &[FeatureId] = if self.odd.is_none() {
+            &self.features
+        } else {
+            &[]
+        };
+        let odd = self.odd.iter().flatten().copied();
+        odd.chain(once.iter().map(|&feature| (feature, 1)))
+    }
 }
 
 /// Covers of all faces.
@@ -57,6 +73,8 @@ pub struct Covers {
     sum: Option<Sum>,
     /// Scratch for a cover that is not interned yet.
     scratch: Windings,
+    /// Scratch for what an edge adds to a cover.
+    gains: Windings,
     /// Scratch for the features that it has.
     inside: Vec<FeatureId>,
 }
@@ -74,13 +92,14 @@ impl Covers {
     /// Nothing is covered.
     pub fn new() -> Self {
         let empty = Cover {
-            windings: Short::default(),
             features: Short::default(),
+            odd: None,
+            hash: 0,
             solid: false,
             faces: 1,
             next: NONE,
         };
-        let ids = std::iter::once((hash_of(&[]), EMPTY)).collect();
+        let ids = std::iter::once((0, EMPTY)).collect();
         Covers {
             interned: vec![empty],
             vacant: Vec::new(),
@@ -90,6 +109,7 @@ impl Covers {
             regions: BTreeSet::new(),
             sum: None,
             scratch: Windings::new(),
+            gains: Windings::new(),
             inside: Vec::new(),
         }
     }
@@ -106,8 +126,8 @@ impl Covers {
     }
 
     /// How often each feature winds around a face.
-    pub fn windings(&self, face: u32) -> &[(FeatureId, i32)] {
-        &self.interned[self.of_face[face as usize] as usize].windings
+    pub fn windings(&self, face: u32) -> impl Iterator<Item = (FeatureId, i32)> + '_ {
+        self.interned[self.of_face[face as usize] as usize].windings()
     }
 
     /// Notes, before a feature covers any face, whether it is a region; otherwise it is a solid.
@@ -125,12 +145,11 @@ impl Covers {
     }
 
     /// The number of a cover. It is to be given to a face next, or else stays for good.
-    fn intern(&mut self, windings: &[(FeatureId, i32)]) -> CoverId {
-        let hash = hash_of(windings);
+    fn intern(&mut self, windings: &[(FeatureId, i32)], hash: u64) -> CoverId {
         let first = self.ids.get(&hash).copied().unwrap_or(NONE);
         let mut at = first;
         while let Some(cover) = self.interned.get(at as usize) {
-            if *cover.windings == *windings {
+            if cover.windings().eq(windings.iter().copied()) {
                 return at;
             }
             at = cover.next;
@@ -139,7 +158,8 @@ impl Covers {
         self.inside.clear();
         self.inside.extend(inside);
         let cover = Cover {
-            windings: windings.into(),
+            odd: windings.iter().any(|w| w.1 != 1).then(|| windings.into()),
+            hash,
             features: self.inside.as_slice().into(),
             solid: self.inside.iter().any(|f| !self.regions.contains(f)),
             faces: 0,
@@ -161,8 +181,7 @@ impl Covers {
 
     /// Lets the number of a cover that no face has be given away.
     fn drop_cover(&mut self, id: CoverId) {
-        let Cover { windings, next, .. } = &self.interned[id as usize];
-        let (hash, next) = (hash_of(windings), *next);
+        let Cover { hash, next, .. } = self.interned[id as usize];
         let first = self.ids.get(&hash).copied().unwrap_or(NONE);
         if first != id {
             let mut before = first as usize;
@@ -201,8 +220,8 @@ impl Covers {
 
     /// Works out the covers of new faces from those of their neighbours.
     ///
-    /// `gain` writes by how much more each feature winds around the left of an edge than around its right; a
-    /// feature may occur several times. Where nothing runs along an edge (`is_free`) there is no difference:
+    /// `gain` writes by how much more each feature winds around the left of an edge than around its right, ascending by
+    /// feature, which may occur several times. Where nothing runs along an edge (`is_free`) there is no difference:
     /// such edges are crossed first, so that the others are asked once per region and not once per face.
     pub fn spread(
         &mut self,
@@ -215,7 +234,6 @@ impl Covers {
         for &face in new {
             self.forget(face);
         }
-        let mut scratch = std::mem::take(&mut self.scratch);
         // First from face to face as they lie in memory, each with what no edge parts from it; then, wherever that found nothing
         // to begin with, on across the borders.
         let (mut inner, mut border) = (Vec::with_capacity(64), Vec::new());
@@ -231,7 +249,7 @@ impl Covers {
                         continue;
                     }
                     let from = self.of_face[t.left(sym(e)) as usize];
-                    let cover = self.beyond(e, from, &mut scratch, gain);
+                    let cover = self.beyond(e, from, gain);
                     self.set(t.left(e), cover);
                     for beyond in [t.lnext(e), t.lprev(e)].map(sym) {
                         if is_free(beyond) {
@@ -243,7 +261,6 @@ impl Covers {
                 }
             }
         }
-        self.scratch = scratch;
     }
 
     /// The same for all faces of a mesh that was made at once: region by region, and the borders between them as they lie in
@@ -262,7 +279,6 @@ impl Covers {
             of_face,
             mut borders,
         } = Regions::of(t, is_free);
-        let mut scratch = std::mem::take(&mut self.scratch);
         for _ in 0..PASSES {
             borders.retain(|&border| {
                 let known = |region: u32| self.of_face[region as usize] != UNKNOWN;
@@ -272,13 +288,12 @@ impl Covers {
                     (left, right) => return !left && !right,
                 };
                 let from = self.of_face[border.right as usize];
-                let cover = self.beyond(border.edge, from, &mut scratch, gain);
+                let cover = self.beyond(border.edge, from, gain);
                 self.set(border.left, cover);
                 false
             });
             borders.reverse();
         }
-        self.scratch = scratch;
         let mut unknown = Vec::new();
         for face in t.faces() {
             match self.of_face[of_face[face as usize] as usize] {
@@ -301,17 +316,20 @@ impl Covers {
         &mut self,
         e: Quarter,
         from: CoverId,
-        scratch: &mut Windings,
         gain: &impl Fn(Quarter, &mut Windings),
     ) -> CoverId {
-        scratch.clear();
-        gain(e, scratch);
-        if scratch.is_empty() {
+        self.gains.clear();
+        gain(e, &mut self.gains);
+        if self.gains.is_empty() {
             return from;
         }
-        scratch.extend_from_slice(&self.interned[from as usize].windings);
-        merge(scratch);
-        self.intern(scratch)
+        let mut sum = std::mem::take(&mut self.scratch);
+        sum.clear();
+        let before = &self.interned[from as usize];
+        let change = add(before.windings(), &self.gains, &mut sum);
+        let cover = self.intern(&sum, before.hash.wrapping_add(change));
+        self.scratch = sum;
+        cover
     }
 
     /// Adds to the winding of one feature around a face.
@@ -323,13 +341,9 @@ impl Covers {
         }
         let mut windings = std::mem::take(&mut self.scratch);
         windings.clear();
-        windings.extend_from_slice(self.windings(face));
-        match windings.binary_search_by_key(&feature, |w| w.0) {
-            Ok(i) if windings[i].1 + winding == 0 => drop(windings.remove(i)),
-            Ok(i) => windings[i].1 += winding,
-            Err(i) => windings.insert(i, (feature, winding)),
-        }
-        let to = self.intern(&windings);
+        let before = &self.interned[from as usize];
+        let change = add(before.windings(), &[(feature, winding)], &mut windings);
+        let to = self.intern(&windings, before.hash.wrapping_add(change));
         self.scratch = windings;
         self.sum = Some(Sum {
             from,
@@ -370,18 +384,49 @@ impl Covers {
 
     /// How often a feature winds around a face.
     pub fn winding(&self, face: u32, feature: FeatureId) -> i32 {
-        let windings = self.windings(face);
-        windings
-            .binary_search_by_key(&feature, |w| w.0)
-            .map_or(0, |i| windings[i].1)
+        let Cover { features, odd, .. } = &self.interned[self.of_face[face as usize] as usize];
+        match odd {
+            Some(all) => {
+                let found = all.binary_search_by_key(&feature, |w| w.0);
+                found.map_or(0, |i| all[i].1)
+            }
+            None => i32::from(features.binary_search(&feature).is_ok()),
+        }
     }
 }
 
-/// A hash of windings; others may have the same.
-fn hash_of(windings: &[(FeatureId, i32)]) -> u64 {
+/// What a feature adds to the hash of a cover: nothing if it does not wind at all. Other covers may have the same hash.
+fn hash_of(feature: FeatureId, winding: i32) -> u64 {
+    if winding == 0 {
+        return 0;
+    }
     let mut hasher = CellHasher::default();
-    windings.hash(&mut hasher);
+    hasher.write_u64(u64::from(feature) << 32 | u64::from(winding as u32));
     hasher.finish()
+}
+
+/// Writes what windings and gains, both ascending by feature, come to together. Returns what that adds to the hash.
+fn add(
+    windings: impl Iterator<Item = (FeatureId, i32)>,
+    gains: &[(FeatureId, i32)],
+    sum: &mut Windings,
+) -> u64 {
+    let (mut windings, mut change) = (windings.peekable(), 0_u64);
+    for gains in gains.chunk_by(|g, h| g.0 == h.0) {
+        let feature = gains[0].0;
+        while let Some(smaller) = windings.next_if(|w| w.0 < feature) {
+            sum.push(smaller);
+        }
+        let before = windings.next_if(|w| w.0 == feature).map_or(0, |w| w.1);
+        let after = before + gains.iter().map(|g| g.1).sum::<i32>();
+        if after != 0 {
+            sum.push((feature, after));
+        }
+        let [before, after] = [before, after].map(|winding| hash_of(feature, winding));
+        change = change.wrapping_sub(before).wrapping_add(after);
+    }
+    sum.extend(windings);
+    change
 }
 
 /// Sorts by feature and adds up what belongs to the same one.

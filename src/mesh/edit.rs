@@ -24,6 +24,10 @@ const MIN_SHIFT: u32 = 8;
 /// find short ways to where they belong, and few edges to flip.
 const SAMPLES: [usize; 2] = [64, 8];
 
+/// The vertices of longer chains go in as neighbours in the plane follow one another. Along a chain each would have to flip the
+/// edges that the one before has drawn to the vertices ahead.
+const LONG: usize = 24;
+
 /// A feature on its way into the mesh.
 #[derive(Clone, Copy)]
 struct Entry<'a> {
@@ -231,12 +235,30 @@ impl Mesh {
                 settle(&mut self.triangulation, &self.arrangement, v);
             }
         }
+        self.settle_crowds(diff);
         // Every other new vertex is on an added chain, too: its place is found from the vertex before.
         for &segment in &diff.added {
             self.lay(segment, None);
         }
         for route in &diff.rerouted {
             self.lay(route.segment, Some(&route.new));
+        }
+        self.uses.settle(&self.segments);
+    }
+
+    /// Puts the vertices of long chains into the triangulation, without their edges.
+    fn settle_crowds(&mut self, diff: &Diff) {
+        let chains = diff.added.iter().map(|&s| self.arrangement.chain(s));
+        let long = chains.filter(|chain| chain.len() > LONG).flatten();
+        let is_new = |v: &VertexId| !self.triangulation.topology.has_vertex(v.0);
+        let mut crowd: Vec<VertexId> = long.copied().filter(is_new).collect();
+        crowd.sort_unstable();
+        crowd.dedup();
+        crowd.sort_by_cached_key(|&v| hilbert(self.arrangement.point(v)));
+        for step in SAMPLES.into_iter().chain([1]) {
+            for &v in crowd.iter().step_by(step) {
+                settle(&mut self.triangulation, &self.arrangement, v);
+            }
         }
     }
 

@@ -26,7 +26,7 @@ impl Mesh {
             for p in corners {
                 write_point(hash, p);
             }
-            for &(feature, winding) in self.covers.windings(face.0) {
+            for (feature, winding) in self.covers.windings(face.0) {
                 hash.update(&feature.to_le_bytes());
                 hash.update(&winding.to_le_bytes());
             }

@@ -59,6 +59,12 @@ pub struct Arrangement {
     crossings: Vec<Point>,
     /// Scratch: a chain.
     chain: Vec<VertexId>,
+    /// Scratch: cells along a segment.
+    leaves: Vec<Slot>,
+    /// How many segments have been registered.
+    registered: u64,
+    /// By segment which of them it was tested against last: what meets in many cells is tested once.
+    tested: Vec<u64>,
 }
 
 impl Arrangement {
@@ -74,6 +80,9 @@ impl Arrangement {
             buckets: Buckets::new(shift, reserved),
             crossings: Vec::new(),
             chain: Vec::new(),
+            leaves: Vec::new(),
+            registered: 0,
+            tested: Vec::new(),
         }
     }
 
@@ -167,24 +176,42 @@ impl Arrangement {
         };
         self.heat(a, born);
         self.heat(b, born);
+        self.registered += 1;
+        self.tested.resize(self.ends.len(), 0);
         let mut crossings = std::mem::take(&mut self.crossings);
-        for &slot in slots {
+        let leaves = self.leaves((a, b), slots);
+        for &slot in &leaves {
             let others = self.buckets.add_segment(slot, segment.0);
             for other in self.buckets.segments_from(others) {
-                let (c, d) = self.ends(SegmentId(other));
+                let tested = &mut self.tested[other as usize];
+                if std::mem::replace(tested, self.registered) == self.registered {
+                    continue;
+                }
+                let (c, d) = self.ends[other as usize];
                 if boxes_meet((a, b), (c, d)) && crosses(a, b, c, d) {
                     crossings.push(crossing_pixel(a, b, c, d));
                 }
             }
         }
-        // Many may lie in the same pixel, and each is found in every cell that it has in common with the other segment.
+        // Many may lie in the same pixel.
         crossings.sort_unstable();
         crossings.dedup();
         for p in crossings.drain(..) {
             self.heat(p, born);
         }
         self.crossings = crossings;
+        self.leaves = leaves;
         segment
+    }
+
+    /// The cells without cells of their own in the cells of a segment.
+    fn leaves(&mut self, (a, b): (Point, Point), slots: &[Slot]) -> Vec<Slot> {
+        let mut leaves = std::mem::take(&mut self.leaves);
+        leaves.clear();
+        for &slot in slots {
+            self.buckets.leaves_along(slot, a, b, &mut leaves);
+        }
+        leaves
     }
 
     /// Makes the pixel of a grid point hot, if it is not.
@@ -194,7 +221,7 @@ impl Arrangement {
             let next = VertexId(buckets.vertex_count() as u32);
             free.pop().unwrap_or(next)
         };
-        born.extend(self.buckets.heat(p, name));
+        born.extend(self.buckets.heat(p, name, &self.ends));
     }
 
     /// Segments in the buckets that meet the pixel of a grid point.
@@ -265,7 +292,8 @@ impl Arrangement {
         let (a, b) = self.ends(segment);
         let mut chain = std::mem::take(&mut self.chain);
         chain.clear();
-        for &slot in slots {
+        let leaves = self.leaves((a, b), slots);
+        for &slot in &leaves {
             let near = self.buckets.pixels(slot);
             let met = near.filter(|pixel| meets_pixel(a, b, pixel.1));
             chain.extend(met.map(|pixel| pixel.0));
@@ -273,6 +301,7 @@ impl Arrangement {
         self.sort_along(segment, &mut chain);
         let found = Chain::from(chain.as_slice());
         self.chain = chain;
+        self.leaves = leaves;
         found
     }
 

@@ -13,7 +13,20 @@ pub struct Uses {
     edges: Vec<EdgeUses>,
     links: Vec<Link>,
     free: Vec<u32>,
+    /// Those that are to be put into long lists, when all are there.
+    late: Vec<Late>,
 }
+
+/// A use that is not in its edge's list yet.
+#[derive(Clone, Copy, Debug)]
+struct Late {
+    edge: Quarter,
+    segment: SegmentId,
+    owner: Owner,
+}
+
+/// Who would have to pass so many others to his place in a list waits until all can be put into theirs in one go.
+const FAR: usize = 12;
 
 #[derive(Clone, Copy, Debug)]
 struct EdgeUses {
@@ -96,7 +109,7 @@ impl Uses {
         self.links.reserve(uses);
     }
 
-    /// Adds a use of an edge by a segment that runs in the direction of `e`.
+    /// Adds a use of an edge by a segment that runs in the direction of `e`. When all are added call [`Uses::settle`].
     pub fn add(&mut self, e: Quarter, segment: SegmentId, owner: Owner, segments: &[Segment]) {
         if self.edges.len() <= (e >> 2) as usize {
             let unused = EdgeUses {
@@ -106,15 +119,50 @@ impl Uses {
             self.edges.resize((e >> 2) as usize + 1, unused);
         }
         let rank = |s: SegmentId| segments[s.index()].rank();
-        let (mut before, mut at) = (NONE, self.head(e));
+        let (mut before, mut at, mut passed) = (NONE, self.head(e), 0);
         while at != NONE && rank(self.links[at as usize].segment) < rank(segment) {
             (before, at) = (at, self.links[at as usize].next);
+            passed += 1;
+            if passed == FAR {
+                return self.late.push(Late {
+                    edge: e,
+                    segment,
+                    owner,
+                });
+            }
         }
+        self.link(e, before, segment, owner);
+    }
+
+    /// Puts all that were added into their lists.
+    pub fn settle(&mut self, segments: &[Segment]) {
+        let mut late = std::mem::take(&mut self.late);
+        let rank = |s: SegmentId| segments[s.index()].rank();
+        late.sort_unstable_by_key(|l| (l.edge >> 2, rank(l.segment)));
+        for group in late.chunk_by(|l, m| l.edge >> 2 == m.edge >> 2) {
+            let (mut before, mut at) = (NONE, self.head(group[0].edge));
+            for new in group {
+                while at != NONE && rank(self.links[at as usize].segment) < rank(new.segment) {
+                    (before, at) = (at, self.links[at as usize].next);
+                }
+                before = self.link(new.edge, before, new.segment, new.owner);
+            }
+        }
+        late.clear();
+        self.late = late;
+    }
+
+    /// Puts a use into the list of `e` behind the link `before`, or first; returns its link.
+    fn link(&mut self, e: Quarter, before: u32, segment: SegmentId, owner: Owner) -> u32 {
+        let next = match self.links.get(before as usize) {
+            Some(link) => link.next,
+            None => self.head(e),
+        };
         let link = Link {
             segment,
             owner,
             forward: e & 2 == 0,
-            next: at,
+            next,
         };
         let new = match self.free.pop() {
             Some(free) => {
@@ -127,7 +175,8 @@ impl Uses {
             }
         };
         self.set_next(e, before, new);
-        self.note_fronts(e);
+        self.edges[(e >> 2) as usize].fronts[usize::from(link.forward)] |= owner.has_fronts;
+        new
     }
 
     /// Removes the use of an edge by a segment, which must be there.
@@ -194,6 +243,7 @@ mod tests {
                 };
                 uses.add(if s == 1 { 10 } else { 8 }, SegmentId(s), owner, &segments);
             }
+            uses.settle(&segments);
             assert_eq!(ids(&uses, 8), [(1, false), (2, true), (0, true)]);
             assert_eq!(ids(&uses, 10), [(1, true), (2, false), (0, false)]);
             // And it is a one-way: its front is on its right.
@@ -207,6 +257,39 @@ mod tests {
             uses.remove(10, SegmentId(0));
             assert!(uses.is_empty(8) && uses.is_empty(400));
             assert!(!uses.has_front(8) && !uses.has_front(400));
+        }
+    }
+
+    #[test]
+    fn long_lists_are_in_order_too() {
+        let count = 40 * FAR as u32;
+        let (a, b) = (Point::new(0, 0), Point::new(1, 0));
+        let segment = |feature| Segment {
+            a,
+            b,
+            feature,
+            source: Source::Edge { edge: 0 },
+        };
+        let segments: Vec<Segment> = (0..count).map(segment).collect();
+        for stride in [1, 7, 11, count - 1] {
+            let mut uses = Uses::default();
+            for i in 0..count {
+                let s = i * stride % count;
+                let owner = Owner {
+                    feature: s,
+                    has_fronts: s == count - 1,
+                    winds: true,
+                };
+                uses.add(8 + 2 * (s % 2), SegmentId(s), owner, &segments);
+                if i == count / 2 {
+                    uses.settle(&segments);
+                }
+            }
+            uses.settle(&segments);
+            let all = uses.of(8).map(|u| (u.segment.0, u.forward));
+            let expected = (0..count).map(|s| (s, s % 2 == 0));
+            assert_eq!(all.collect::<Vec<_>>(), expected.collect::<Vec<_>>());
+            assert!(uses.has_front(8) && !uses.has_front(10));
         }
     }
 }
