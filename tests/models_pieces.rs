@@ -222,3 +222,90 @@ fn random_damage_never_panics() {
         let _ = Pieces::read(&bytes, Path::new("pieces.glb"));
     }
 }
+
+/// A piece of one triangle, white, under the open sky, as a description and numbers.
+const SMALL: &str = r#"{"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[{"name":"rock","mesh":0}],
+    "meshes":[{"primitives":[{"attributes":{"POSITION":0,"COLOR_0":1,"_OPENNESS":2}}]}],"buffers":[{"byteLength":84}],
+    "bufferViews":[{"buffer":0,"byteOffset":0,"byteLength":36},{"buffer":0,"byteOffset":36,"byteLength":36},
+        {"buffer":0,"byteOffset":72,"byteLength":12}],
+    "accessors":[{"bufferView":0,"componentType":5126,"type":"VEC3","count":3,"min":[0,0,0],"max":[1,1,0]},
+        {"bufferView":1,"componentType":5126,"type":"VEC3","count":3},
+        {"bufferView":2,"componentType":5126,"type":"SCALAR","count":3}]}"#;
+
+/// A .glb file of a description and the numbers of [`SMALL`].
+fn glb(json: &str) -> Vec<u8> {
+    let places = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0];
+    let numbers = places.into_iter().chain([1.0; 9]).chain([1.0; 3]);
+    let blob: Vec<u8> = numbers.flat_map(|n: f32| n.to_le_bytes()).collect();
+    let mut json = json.as_bytes().to_vec();
+    json.resize(json.len().next_multiple_of(4), b' ');
+    let word = |n: usize| (n as u32).to_le_bytes();
+    let length = 12 + 8 + json.len() + 8 + blob.len();
+    [
+        b"glTF",
+        &word(2)[..],
+        &word(length),
+        &word(json.len()),
+        b"JSON",
+        &json,
+        &word(blob.len()),
+        b"BIN\0",
+        &blob,
+    ]
+    .concat()
+}
+
+#[test]
+fn no_cut_and_no_flipped_byte_makes_it_panic() {
+    let read = |bytes: &[u8]| Pieces::read(bytes, Path::new("pieces.glb"));
+    let whole = glb(SMALL);
+    let pieces = read(&whole).unwrap();
+    assert_eq!(pieces.get("rock").unwrap().facets.len(), 1);
+    for at in 0..whole.len() {
+        assert!(read(&whole[..at]).is_err(), "{at} bytes");
+        for flip in [0xff, 1, 0x10, 0x80] {
+            let mut bytes = whole.clone();
+            bytes[at] ^= flip;
+            let _ = read(&bytes);
+        }
+    }
+    // Seventeen bytes with a length that is smaller than the header.
+    for length in 0..40u32 {
+        let mut bytes = whole[..17].to_vec();
+        bytes[8..12].copy_from_slice(&length.to_le_bytes());
+        assert!(read(&bytes).is_err(), "{length}");
+    }
+}
+
+#[test]
+fn pieces_take_colours_with_opacity_and_zeros_without_numbers() {
+    let read = |json: &str| Pieces::read(&glb(json), Path::new("pieces.glb"));
+    let colours = r#""bufferView":1,"componentType":5126,"type":"VEC3","count":3"#;
+    // The twelve numbers from the first colour on are ones: three colours with opacity.
+    let rgba = SMALL.replace(
+        colours,
+        r#""bufferView":1,"componentType":5126,"type":"VEC4","count":3"#,
+    );
+    let rgba = rgba.replace(
+        r#""byteOffset":36,"byteLength":36"#,
+        r#""byteOffset":36,"byteLength":48"#,
+    );
+    assert_eq!(read(&rgba), read(SMALL));
+    let zeros = read(&SMALL.replace(colours, &colours[15..])).unwrap();
+    let rock = zeros.get("rock").unwrap();
+    assert!(
+        rock.facets[0]
+            .corners
+            .iter()
+            .all(|c| c.colour == Vec3::ZERO)
+    );
+    let whole_numbers = SMALL.replace(
+        colours,
+        r#""bufferView":1,"componentType":5121,"type":"VEC4","count":3"#,
+    );
+    let error = read(&whole_numbers).unwrap_err().to_string();
+    assert!(
+        error.starts_with("pieces.glb: node \"rock\": COLOR_0: floats are read"),
+        "{error}"
+    );
+}

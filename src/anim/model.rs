@@ -4,6 +4,7 @@
 //! with file and node or clip.
 
 use super::clip::{Clip, RATE};
+use super::glb::Glb;
 use super::numbers::Numbers;
 use super::skeleton::{Joint, MAX_BONES, Skeleton};
 use super::trs::Trs;
@@ -84,10 +85,7 @@ impl Model {
     /// # Errors
     /// The bytes are no .glb, or do not hold what the header of this file says.
     pub fn read(file: &str, bytes: &[u8]) -> Result<Model, ModelError> {
-        // The crate's own checks panic at some broken files; that must not end the game.
-        let parsed = std::panic::catch_unwind(|| parse(bytes));
-        let parsed = parsed.unwrap_or_else(|_| Err((String::new(), "is not valid glTF".into())));
-        parsed.map_err(|(part, why)| ModelError {
+        parse(bytes).map_err(|(part, why)| ModelError {
             file: file.to_string(),
             part,
             why,
@@ -108,11 +106,8 @@ impl Model {
 
 fn parse(bytes: &[u8]) -> Result<Model, Flaw> {
     let whole = |why: String| (String::new(), why);
-    let gltf = gltf::Gltf::from_slice(bytes).map_err(|error| whole(error.to_string()))?;
-    let blob = gltf.blob.as_deref();
-    let numbers = Numbers {
-        blob: blob.ok_or_else(|| whole("has no binary chunk".into()))?,
-    };
+    let glb = Glb::open(bytes).map_err(whole)?;
+    let (gltf, numbers) = (&glb.document, glb.numbers());
     let skinned = |node: &gltf::Node| node.mesh().is_some() && node.skin().is_some();
     let mut nodes = gltf.nodes().filter(skinned);
     let node = nodes
@@ -122,7 +117,7 @@ fn parse(bytes: &[u8]) -> Result<Model, Flaw> {
         return Err(whole("has more than one skinned mesh".into()));
     }
     let (mesh, skin) = node.mesh().zip(node.skin()).expect("the node has both");
-    let bones = Bones::read(&gltf, &skin, numbers)?;
+    let bones = Bones::read(gltf, &skin, numbers)?;
     let mut vertices = Vec::new();
     for primitive in mesh.primitives() {
         read_primitive(&primitive, numbers, &bones, &mut vertices)
@@ -253,7 +248,7 @@ fn read_primitive(
 ) -> Result<(), String> {
     let places: Vec<[f32; 3]> = numbers.attribute(primitive, Semantic::Positions)?;
     let normals: Vec<[f32; 3]> = numbers.attribute(primitive, Semantic::Normals)?;
-    let colours = colours(primitive, numbers)?;
+    let colours = numbers.colours(primitive)?;
     let joints: Vec<[f32; 4]> = numbers.attribute(primitive, Semantic::Joints(0))?;
     let weights: Vec<[f32; 4]> = numbers.attribute(primitive, Semantic::Weights(0))?;
     let count = places.len();
@@ -275,27 +270,13 @@ fn read_primitive(
         vertices.push(Vertex {
             at: places[i].into(),
             normal: Vec3::from(normals[i]).normalize_or(Vec3::Y),
-            colour: colours[i],
+            colour: colours[i].into(),
             glows,
             joints: moved_by,
             weights: weights[i].map(|weight| weight / sum),
         });
     }
     Ok(())
-}
-
-/// Colours of the vertices, with or without an opacity, which is not used.
-fn colours(primitive: &gltf::Primitive, numbers: Numbers) -> Result<Vec<Vec3>, String> {
-    match numbers.attribute::<4>(primitive, Semantic::Colors(0)) {
-        Ok(rgba) => Ok(rgba
-            .into_iter()
-            .map(|[r, g, b, _]| Vec3::new(r, g, b))
-            .collect()),
-        Err(_) => {
-            let rgb: Vec<[f32; 3]> = numbers.attribute(primitive, Semantic::Colors(0))?;
-            Ok(rgb.into_iter().map(Vec3::from).collect())
-        }
-    }
 }
 
 /// What one channel of a clip moves, with its keys.

@@ -7,11 +7,11 @@ use gltf::{Accessor, Semantic};
 #[derive(Clone, Copy)]
 pub struct Numbers<'a> {
     /// The binary chunk.
-    pub blob: &'a [u8],
+    pub(super) blob: &'a [u8],
 }
 
 /// How many bytes one number has.
-fn width(kind: DataType) -> usize {
+pub(super) fn width(kind: DataType) -> usize {
     match kind {
         DataType::I8 | DataType::U8 => 1,
         DataType::I16 | DataType::U16 => 2,
@@ -20,7 +20,7 @@ fn width(kind: DataType) -> usize {
 }
 
 /// How many numbers one element has.
-fn parts(shape: Dimensions) -> usize {
+pub(super) fn parts(shape: Dimensions) -> usize {
     match shape {
         Dimensions::Scalar => 1,
         Dimensions::Vec2 => 2,
@@ -60,11 +60,18 @@ impl<'a> Numbers<'a> {
         let view = accessor.view().ok_or("an accessor has no buffer view")?;
         let size = parts(accessor.dimensions()) * width(accessor.data_type());
         let stride = view.stride().unwrap_or(size);
+        if stride < size {
+            return Err("the elements of a buffer view overlap".into());
+        }
         let start = view.offset().checked_add(accessor.offset());
         let length = accessor.count().checked_sub(1).and_then(|last| {
             let way = last.checked_mul(stride)?;
             way.checked_add(size)
         });
+        let within = length.and_then(|length| length.checked_add(accessor.offset()));
+        if within.is_none_or(|end| end > view.length()) {
+            return Err("an accessor is empty or reaches beyond its buffer view".into());
+        }
         let end = start
             .zip(length)
             .and_then(|(start, length)| start.checked_add(length));
@@ -72,9 +79,6 @@ impl<'a> Numbers<'a> {
             .zip(end)
             .and_then(|(start, end)| self.blob.get(start..end))
             .ok_or("an accessor is empty or reaches beyond the file's binary chunk")?;
-        if stride < size {
-            return Err("the elements of a buffer view overlap".into());
-        }
         Ok(bytes.chunks(stride).map(move |chunk| &chunk[..size]))
     }
 
@@ -115,6 +119,29 @@ impl<'a> Numbers<'a> {
             .get(&semantic)
             .ok_or_else(|| format!("no {name}"))?;
         self.read(&accessor).map_err(|why| format!("{name}: {why}"))
+    }
+
+    /// The colours of a primitive's vertices, linear red, green and blue: floats, or bytes or shorts that are shares of the
+    /// largest, with or without an opacity, which is not used.
+    ///
+    /// # Errors
+    /// There are none, or of another kind.
+    pub fn colours(self, primitive: &gltf::Primitive) -> Result<Vec<[f32; 3]>, String> {
+        let semantic = Semantic::Colors(0);
+        if let Some(accessor) = primitive.get(&semantic) {
+            let kind = accessor.data_type();
+            let shares = matches!(kind, DataType::U8 | DataType::U16) && accessor.normalized();
+            if kind != DataType::F32 && !shares {
+                let why = "floats are read, and bytes and shorts that are normalized";
+                let name = semantic.to_string();
+                return Err(format!("{name}: {why}, not {kind:?}"));
+            }
+            if accessor.dimensions() == Dimensions::Vec4 {
+                let all: Vec<[f32; 4]> = self.attribute(primitive, semantic)?;
+                return Ok(all.into_iter().map(|[r, g, b, _]| [r, g, b]).collect());
+            }
+        }
+        self.attribute(primitive, semantic)
     }
 
     /// The corners of a primitive's triangles, as indices of its vertices.

@@ -4,7 +4,7 @@
 //! without a mesh, named "light" (Blender adds a number), are its lamps. Absent on purpose: textures, hierarchies,
 //! animation, and any knowledge of which pieces the game wants; who draws asks for them by name.
 
-use crate::anim::Numbers;
+use crate::anim::{Glb, Numbers};
 use glam::Vec3;
 use gltf::Semantic;
 use serde::Deserialize;
@@ -117,15 +117,8 @@ impl Pieces {
             node: None,
             message,
         };
-        let glb = gltf::Glb::from_slice(bytes).map_err(|error| whole(error.to_string()))?;
-        let json =
-            gltf::json::Root::from_slice(&glb.json).map_err(|error| whole(error.to_string()))?;
-        check_accessors(&json).map_err(whole)?;
-        let document = gltf::Document::from_json(json).map_err(|error| whole(error.to_string()))?;
-        let blob = glb.bin.as_deref();
-        let numbers = Numbers {
-            blob: blob.ok_or_else(|| whole("has no binary chunk".into()))?,
-        };
+        let glb = Glb::open(bytes).map_err(whole)?;
+        let (document, numbers) = (&glb.document, glb.numbers());
         let mut pieces = BTreeMap::new();
         for node in document.nodes().filter(|node| node.mesh().is_some()) {
             let name = node.name().unwrap_or_default().to_string();
@@ -175,17 +168,6 @@ impl Piece {
     }
 }
 
-/// What the crate's own checks take for granted: that the accessors exist which primitives name.
-fn check_accessors(json: &gltf::json::Root) -> Result<(), String> {
-    for primitive in json.meshes.iter().flat_map(|mesh| &mesh.primitives) {
-        let mut named = primitive.attributes.values().chain(&primitive.indices);
-        if let Some(index) = named.find(|index| index.value() >= json.accessors.len()) {
-            return Err(format!("accessor {} does not exist", index.value()));
-        }
-    }
-    Ok(())
-}
-
 fn piece(node: &gltf::Node, numbers: Numbers) -> Result<Piece, String> {
     let mut piece = Piece::default();
     for primitive in node.mesh().iter().flat_map(|mesh| mesh.primitives()) {
@@ -219,7 +201,7 @@ fn read_facets(
     facets: &mut Vec<Facet>,
 ) -> Result<(), String> {
     let places: Vec<[f32; 3]> = numbers.attribute(primitive, Semantic::Positions)?;
-    let colours: Vec<[f32; 3]> = numbers.attribute(primitive, Semantic::Colors(0))?;
+    let colours = numbers.colours(primitive)?;
     let open: Vec<[f32; 1]> = numbers.attribute(primitive, Semantic::Extras(OPENNESS.into()))?;
     if colours.len() != places.len() || open.len() != places.len() {
         return Err("its attributes are of different lengths".into());

@@ -255,3 +255,163 @@ fn no_cut_and_no_wrong_byte_makes_it_panic() {
         let _ = Model::read("spoilt", &bytes);
     }
 }
+
+#[test]
+fn no_flipped_byte_and_no_lying_length_makes_it_panic() {
+    let whole = small().bytes();
+    for at in 0..whole.len() {
+        for flip in [0xff, 1, 0x10, 0x80] {
+            let mut bytes = whole.clone();
+            bytes[at] ^= flip;
+            let _ = Model::read("flipped", &bytes);
+        }
+    }
+    // The header and the chunks tell lengths.
+    let description = u32::from_le_bytes(whole[12..16].try_into().unwrap()) as usize;
+    for at in [8, 12, 20 + description] {
+        for length in [0, 1, 11, 12, 17, 4096, 1 << 31, u32::MAX - 11, u32::MAX] {
+            let mut bytes = whole.clone();
+            bytes[at..at + 4].copy_from_slice(&length.to_le_bytes());
+            assert!(Model::read("lying", &bytes).is_err(), "{length} at {at}");
+            assert!(Model::read("lying", &bytes[..17]).is_err());
+        }
+    }
+    for name in [
+        "count",
+        "byteLength",
+        "byteOffset",
+        "bufferView",
+        "buffer",
+        "input",
+        "output",
+    ] {
+        for value in [
+            "0",
+            "1",
+            "7",
+            "4294967295",
+            "18446744073709551615",
+            "-1",
+            "1e99",
+            "null",
+        ] {
+            for nth in 0..9 {
+                let mut file = small();
+                let field = format!("\"{name}\":");
+                let Some((at, _)) = file.json.match_indices(&field).nth(nth) else {
+                    break;
+                };
+                let from = at + field.len();
+                let end = from + file.json[from..].find([',', '}']).unwrap();
+                file.json.replace_range(from..end, value);
+                let _ = file.read();
+            }
+        }
+    }
+}
+
+#[test]
+fn a_blob_that_is_cut_is_told_of() {
+    let whole = small();
+    for length in 0..whole.blob.len() {
+        let mut file = small();
+        file.blob.truncate(length);
+        let error = file.read().unwrap_err();
+        assert!(error.contains("reaches beyond"), "{length}: {error}");
+    }
+}
+
+#[test]
+fn colours_are_floats_bytes_or_shorts_with_or_without_opacity() {
+    let wanted = [[1.0, 0.5, 0.25], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Vec3::from);
+    let kinds = [(5126, false), (5121, true), (5123, true)];
+    for ((kind, normalized), parts) in kinds.into_iter().flat_map(|kind| [(kind, 3), (kind, 4)]) {
+        let mut file = small();
+        let start = file.blob.len();
+        for colour in wanted {
+            let rgba = [colour.x, colour.y, colour.z, 0.3];
+            for &share in &rgba[..parts] {
+                match kind {
+                    5121 => file.blob.push((share * 255.0).round() as u8),
+                    5123 => file
+                        .blob
+                        .extend(((share * 65535.0).round() as u16).to_le_bytes()),
+                    _ => file.blob.extend(share.to_le_bytes()),
+                }
+            }
+        }
+        let length = file.blob.len() - start;
+        let file = file
+            .with(
+                r#"{"buffer":0,"byteOffset":72,"byteLength":48}"#,
+                &format!(r#"{{"buffer":0,"byteOffset":{start},"byteLength":{length}}}"#),
+            )
+            .with(
+                r#""bufferView":2,"componentType":5126,"type":"VEC4""#,
+                &format!(
+                    r#""bufferView":2,"normalized":{normalized},"componentType":{kind},"type":"VEC{parts}""#
+                ),
+            );
+        for (vertex, colour) in file.read().unwrap().vertices.iter().zip(wanted) {
+            assert!(
+                (vertex.colour - colour).length() < 0.01,
+                "{kind}, {parts}: {vertex:?}"
+            );
+        }
+    }
+    for (from, to) in [
+        (
+            r#""componentType":5126,"type":"VEC4","count":3"#,
+            r#""componentType":5125,"type":"VEC4","count":3"#,
+        ),
+        (
+            r#""componentType":5126,"type":"VEC4","count":3"#,
+            r#""componentType":5121,"type":"VEC4","count":3"#,
+        ),
+        (
+            r#""componentType":5126,"type":"VEC4","count":3"#,
+            r#""componentType":5122,"normalized":true,"type":"VEC4","count":3"#,
+        ),
+        (r#""type":"VEC4","count":3"#, r#""type":"VEC2","count":3"#),
+    ] {
+        let error = small().with(from, to).read().unwrap_err();
+        assert!(error.contains("node \"body\": COLOR_0: "), "{error}");
+    }
+}
+
+#[test]
+fn an_accessor_without_numbers_means_zeros() {
+    let normals = r#""bufferView":1,"componentType":5126,"type":"VEC3","count":3"#;
+    let zeros = r#""componentType":5126,"type":"VEC3","count":3"#;
+    let model = small().with(normals, zeros).read().unwrap();
+    // A normal without a direction is drawn upwards.
+    assert!(model.vertices.iter().all(|vertex| vertex.normal == Vec3::Y));
+    let weights = r#""bufferView":3,"componentType""#;
+    let error = small().with(weights, r#""componentType""#).read();
+    assert!(error.unwrap_err().contains("its weights are 0 in sum"));
+    let huge = zeros.replace("\"count\":3", "\"count\":99999999999");
+    let error = small().with(normals, &huge).read().unwrap_err();
+    assert!(
+        error.contains("accessor 1 is without numbers, and too long"),
+        "{error}"
+    );
+    // One that nobody reads does no harm: Blender writes such for shape keys.
+    let unread = format!(r#""accessors":[{{{zeros}}},"#);
+    let mut file = small().with(r#""accessors":["#, &unread);
+    for at in (0..9).rev() {
+        for name in [
+            "POSITION",
+            "NORMAL",
+            "COLOR_0",
+            "WEIGHTS_0",
+            "JOINTS_0",
+            "inverseBindMatrices",
+            "input",
+            "output",
+        ] {
+            let (from, to) = (format!("\"{name}\":{at}"), format!("\"{name}\":{}", at + 1));
+            file.json = file.json.replace(&from, &to);
+        }
+    }
+    assert_eq!(file.read(), small().read());
+}
