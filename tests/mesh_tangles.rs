@@ -6,8 +6,8 @@ mod common;
 mod tangles;
 
 use common::{checker, worlds};
-use edgewalker::geom::{Collider, ExpandedEdge};
-use edgewalker::mesh::Mesh;
+use edgewalker::geom::{Collider, ExpandedEdge, Point, Source};
+use edgewalker::mesh::{Kind, Mesh, MeshError, Part, Phase, Progress};
 use std::time::{Duration, Instant};
 use tangles::{TANGLES, Tangle};
 
@@ -109,4 +109,107 @@ fn time_grows_with_the_crossings_and_not_with_their_square() {
             tangle.0
         );
     }
+}
+
+/// A family as solids with ids.
+fn numbered(
+    world: fn(usize) -> Vec<worlds::Outline>,
+    n: usize,
+) -> Vec<(u32, Kind, Vec<ExpandedEdge>)> {
+    let numbered = (0..).zip(features(world, n));
+    numbered
+        .map(|(id, edges)| (id, Kind::Solid, edges))
+        .collect()
+}
+
+#[test]
+fn a_build_can_be_left_in_every_phase_and_says_how_far_it_is() {
+    let features = numbered(tangles::beams, 40);
+    let progress = Progress::default();
+    let mesh = Mesh::watched(&features, Part::whole(&progress)).unwrap();
+    let whole = mesh.hash();
+    assert!(progress.share() > 0.99 - 0.04, "{}", progress.share());
+    assert_eq!(
+        whole,
+        Mesh::of(&features).unwrap().hash(),
+        "whoever watches"
+    );
+    let mut seen = Vec::new();
+    for percent in 0..90 {
+        let progress = Progress::default();
+        let share = percent as f32 / 100.0;
+        progress.leave_at(share);
+        let left = Mesh::watched(&features, Part::whole(&progress));
+        assert_eq!(left.err(), Some(MeshError::Left), "at {percent} %");
+        assert!(progress.share() >= share - 1e-5 && progress.share() < share + 0.5);
+        seen.push(progress.phase());
+    }
+    assert!(seen.is_sorted());
+    seen.dedup();
+    use Phase::{Covering, Crossing, Snapping, Triangulating};
+    assert_eq!(seen, [Crossing, Snapping, Triangulating, Covering]);
+}
+
+#[test]
+fn what_is_too_much_is_refused_soon_and_names_who_crosses_most() {
+    // 1100 lines across 1100 lines, some twice as dense, among many that cross nothing.
+    let line = |i: i32, lies: bool| {
+        let (a, b) = (Point::new(-50, 100 * i), Point::new(110_050, 100 * i + 1));
+        let turned = |p: Point| Point::new(p.y, p.x);
+        if lies { (a, b) } else { (turned(a), turned(b)) }
+    };
+    let lines = |lies: bool| worlds::wire(&(0..1100).map(|i| line(i, lies)).collect::<Vec<_>>());
+    let across: Vec<_> = lines(false);
+    let mut all = vec![
+        (3, Kind::Solid, lines(true)),
+        (9, Kind::Solid, across.clone()),
+    ];
+    for id in 20..24 {
+        // Each crosses what lies in fewer places than the one before.
+        let some = across
+            .iter()
+            .enumerate()
+            .filter(|(i, _)| i % (id as usize - 17) != 0);
+        let moved = some.map(|(_, e)| ExpandedEdge {
+            a: Point::new(e.a.x + id - 15, e.a.y),
+            b: Point::new(e.b.x + id - 15, e.b.y),
+            ..*e
+        });
+        all.push((id as u32, Kind::Solid, moved.collect()));
+    }
+    let begin = Instant::now();
+    let error = Mesh::of(&all).unwrap_err();
+    let took = begin.elapsed();
+    assert_eq!(
+        error,
+        MeshError::TooMuch {
+            first: 3,
+            second: 9
+        }
+    );
+    let limit = Duration::from_secs(if cfg!(debug_assertions) { 600 } else { 60 });
+    assert!(took < limit, "{took:?}");
+    println!("refused after {took:?}: {error}");
+}
+
+/// Outlines that all lie on one another make few vertices, and still are not built for ever.
+#[test]
+fn what_has_too_many_pieces_is_refused_too() {
+    let step = |i: i32| {
+        let (w, h) = (1000 + 100 * i, 1000 + 100 * (6000 - i));
+        let corners = [(0, 0), (w, 0), (w, h), (0, h)].map(|(x, y)| Point::new(x, y));
+        let edge = |k: usize| ExpandedEdge {
+            a: corners[k],
+            b: corners[(k + 1) % 4],
+            source: Source::Edge { edge: k as u32 },
+        };
+        (i as u32, Kind::Region, (0..4).map(edge).collect::<Vec<_>>())
+    };
+    let begin = Instant::now();
+    let error = Mesh::of(&(0..6000).map(step).collect::<Vec<_>>()).unwrap_err();
+    let MeshError::TooMuch { first, second } = error else {
+        panic!("{error}");
+    };
+    assert!(first < second, "two that cross");
+    println!("refused after {:?}: {error}", begin.elapsed());
 }

@@ -2,8 +2,9 @@
 
 use super::files::{FileError, find, read_text};
 use super::{lines, terminal};
-use crate::game::{Replay, Stage};
+use crate::game::{Replay, Stage, StageError};
 use crate::level::{self, LevelError};
+use crate::mesh::{Left, Part, Phase};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -32,9 +33,21 @@ impl std::error::Error for LoadError {}
 /// # Errors
 /// The file is missing or broken, or the hero does not fit at the start.
 pub fn stage(path: &Path) -> Result<Arc<Stage>, LoadError> {
+    stage_watched(path, Part::UNSEEN)
+}
+
+/// The same, as long work that others wait for.
+///
+/// # Errors
+/// As for [`stage`], or if nobody waits for it any more.
+pub fn stage_watched(path: &Path, part: Part) -> Result<Arc<Stage>, LoadError> {
+    let failed = |error: StageError| LoadError::File(FileError::new(path, format!("{error}")));
+    let reading = part.between(0.0, 0.1);
+    let left = |_: Left| failed(StageError::Left);
+    reading.begin(Phase::Reading).map_err(left)?;
     let level = level::load(&find(path)).map_err(LoadError::Level)?;
-    let failed = |error| LoadError::File(FileError::new(path, format!("{error}")));
-    Ok(Arc::new(Stage::build(level).map_err(failed)?))
+    let stage = Stage::watched(level, part.between(0.1, 1.0)).map_err(failed)?;
+    Ok(Arc::new(stage))
 }
 
 /// A recorded run. Of one that breaks off, what is whole; that is said in the terminal.

@@ -2,7 +2,7 @@
 
 use crate::geom::{Collider, ColliderError, Point};
 use crate::level::{Feature, Kind};
-use crate::mesh::{self, FeatureId, Mesh, MeshError};
+use crate::mesh::{self, FeatureId, Mesh, MeshError, Part};
 use serde::{Deserialize, Serialize};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
@@ -92,16 +92,17 @@ pub(super) struct Plan {
 }
 
 impl Plan {
-    fn build(&self, collider: &Collider) -> Result<Meshes, MeshError> {
-        let mesh = |features: &[Numbered]| {
+    fn build(&self, collider: &Collider, part: Part) -> Result<Meshes, MeshError> {
+        let mesh = |features: &[Numbered], part: Part| {
             let entry = |(id, f): &Numbered| (*id, kind(f.kind), f.expand(collider));
-            Mesh::of(&features.iter().map(entry).collect::<Vec<_>>())
+            Mesh::watched(&features.iter().map(entry).collect::<Vec<_>>(), part)
         };
-        let mut level = mesh(&self.still)?;
+        let mut level = mesh(&self.still, part.between(0.0, 0.9))?;
         for change in &self.changes {
             apply(&mut level, collider, change)?;
         }
-        let movers = self.movers.iter().map(|own| mesh(own).map(Arc::new));
+        let rest = part.between(0.9, 1.0);
+        let movers = self.movers.iter().map(|own| mesh(own, rest).map(Arc::new));
         Ok(Meshes {
             level: Arc::new(level),
             movers: movers.collect::<Result<_, _>>()?,
@@ -147,7 +148,7 @@ pub(super) struct Kept(Mutex<Vec<(Collider, Arc<Cell>)>>);
 impl Kept {
     /// The meshes for a collider. Whoever comes first builds them; others who want the same ones wait for him, and
     /// nobody else does.
-    pub fn get(&self, collider: &Collider, plan: &Plan) -> Result<Meshes, MeshError> {
+    pub fn get(&self, collider: &Collider, plan: &Plan, part: Part) -> Result<Meshes, MeshError> {
         let cell = {
             let mut kept = self.0.lock().unwrap_or_else(PoisonError::into_inner);
             match kept.iter().find(|(c, _)| c == collider) {
@@ -159,7 +160,7 @@ impl Kept {
                 }
             }
         };
-        cell.get_or_init(|| plan.build(collider)).clone()
+        cell.get_or_init(|| plan.build(collider, part)).clone()
     }
 
     /// Changes all meshes. A mesh that somebody else holds is copied first.

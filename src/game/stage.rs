@@ -4,7 +4,7 @@ use super::meshes::{Kept, Meshes, Numbered, Plan, Shape};
 use super::paths::{Cause, Route};
 use crate::geom::{BOUND, Collider, Point, STEP};
 use crate::level::{self, By, Concave, Feature, Flaw, Kind, Level, Rect};
-use crate::mesh::{FeatureId, MeshError};
+use crate::mesh::{FeatureId, MOST_VERTICES, MeshError, Part};
 use crate::motion::{self, Body, Mover, Region, SpawnError, Terrain, Traits};
 use crate::tune::Motion;
 use glam::DVec2;
@@ -72,6 +72,10 @@ pub enum StageError {
     },
     /// The mesh refuses an outline.
     Mesh(MeshError),
+    /// There would be too many corners and crossings; names two features that cross most often, or one twice.
+    TooMuch(String, String),
+    /// Nobody waits for it any more.
+    Left,
     /// The hero cannot start there.
     Start(SpawnError),
     /// The hero would start in a hazard: this one, or the pit, which has no name.
@@ -86,6 +90,17 @@ impl std::fmt::Display for StageError {
                 "feature \"{feature}\", outline[{corner}]: outside the world"
             ),
             StageError::Mesh(error) => write!(f, "mesh: {error}"),
+            StageError::TooMuch(first, second) => {
+                let among = match first == second {
+                    true => format!("those of \"{first}\" among them"),
+                    false => format!("\"{first}\" and \"{second}\" cross most"),
+                };
+                write!(
+                    f,
+                    "too large: its outlines have more than {MOST_VERTICES} corners and crossings; {among}"
+                )
+            }
+            StageError::Left => write!(f, "left before it was ready"),
             StageError::Start(error) => write!(f, "start: {error}"),
             StageError::Deadly(id) if id.is_empty() => {
                 f.write_str("start: the hero would fall out of the level there")
@@ -126,8 +141,16 @@ impl Stage {
     /// Builds the hero's meshes of a level.
     ///
     /// # Errors
-    /// If an outline leaves the world when expanded, or the hero does not fit at the start.
+    /// If an outline leaves the world when expanded, there are too many crossings, or the hero does not fit at the start.
     pub fn build(level: Level) -> Result<Stage, StageError> {
+        Stage::watched(level, Part::UNSEEN)
+    }
+
+    /// The same, as a part of long work that others wait for.
+    ///
+    /// # Errors
+    /// As for [`Stage::build`], or if nobody waits for it any more.
+    pub fn watched(level: Level, part: Part) -> Result<Stage, StageError> {
         let mut features = level.features.clone();
         let still = features.len();
         let riders = level.movers.iter().flat_map(|mover| &mover.features);
@@ -171,8 +194,13 @@ impl Stage {
             fingerprint: fingerprint(&level),
             level,
         };
+        let Shape { stand, crouch } = Shape::hero();
+        for (share, collider) in [(0.0, stand), (0.35, crouch), (0.7, Collider::point())] {
+            let part = part.between(share, share + 0.34);
+            let built = stage.kept.get(&collider, &stage.plan, part);
+            built.map_err(|error| stage.refused(error))?;
+        }
         let land = stage.land(&Shape::hero()).map_err(StageError::Mesh)?;
-        stage.meshes(&Collider::point()).map_err(StageError::Mesh)?;
         let tuning = Motion::default();
         let terrain = land.terrain(&stage, &tuning);
         let hero = Body::spawn(stage.level.start, 0.0, &terrain).map_err(StageError::Start)?;
@@ -183,12 +211,25 @@ impl Stage {
         Ok(stage)
     }
 
+    /// What a mesh's error means for the level.
+    fn refused(&self, error: MeshError) -> StageError {
+        let name = |id| match self.feature(id) {
+            Some(feature) => feature.id.clone(),
+            None => "the level's bottom".into(),
+        };
+        match error {
+            MeshError::TooMuch { first, second } => StageError::TooMuch(name(first), name(second)),
+            MeshError::Left => StageError::Left,
+            error => StageError::Mesh(error),
+        }
+    }
+
     /// The meshes for a collider: built on first use, by one thread, and kept.
     ///
     /// # Errors
     /// If an outline leaves the world when expanded.
     pub fn meshes(&self, collider: &Collider) -> Result<Meshes, MeshError> {
-        self.kept.get(collider, &self.plan)
+        self.kept.get(collider, &self.plan, Part::UNSEEN)
     }
 
     /// How many colliders have their meshes.

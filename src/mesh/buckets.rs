@@ -39,6 +39,8 @@ pub struct Buckets {
     free: u32,
     /// By vertex.
     pixels: Vec<Pixel>,
+    /// Scratch: cells along a segment.
+    leaves: Vec<Slot>,
 }
 
 /// The first link of a cell's segments, and the first of its pixels; of one that is split see [`Cell::split`].
@@ -116,6 +118,7 @@ impl Buckets {
             links: Vec::new(),
             free: NONE,
             pixels: reserved.iter().map(pixel).collect(),
+            leaves: Vec::new(),
         }
     }
 
@@ -251,44 +254,51 @@ impl Buckets {
 
     /// Adds a segment to a cell. The link from which on its list has the segments that were there.
     pub fn add_segment(&mut self, slot: Slot, segment: u32) -> u32 {
-        let head = &mut self.cells[slot as usize].segments;
-        let before = *head;
-        let link = Link {
-            segment,
-            next: before,
-        };
-        if self.free == NONE {
-            *head = self.links.len() as u32;
-            self.links.push(link);
-        } else {
-            *head = self.free;
-            self.free = std::mem::replace(&mut self.links[*head as usize], link).next;
-        }
+        let before = self.cells[slot as usize].segments;
+        self.cells[slot as usize].segments = self.make_link(segment, before);
         before
+    }
+
+    /// A link with a segment before another link.
+    fn make_link(&mut self, segment: u32, next: u32) -> u32 {
+        let link = Link { segment, next };
+        let at = self.free;
+        match self.links.get_mut(at as usize) {
+            Some(free) => {
+                self.free = std::mem::replace(free, link).next;
+                at
+            }
+            None => {
+                self.links.push(link);
+                self.links.len() as u32 - 1
+            }
+        }
     }
 
     /// Removes a segment from all cells that it is in.
     pub fn remove_segment(&mut self, a: Point, b: Point, segment: u32) {
-        let mut leaves = Vec::new();
         Self::along(self.shift, a, b, |column, row| {
             if let Some(slot) = self.find(column, row) {
-                self.leaves_along(slot, a, b, &mut leaves);
-                for leaf in leaves.drain(..) {
-                    self.unlink(leaf, segment);
-                }
+                self.part(slot, (a, b), segment);
                 self.tidy(slot, column, row);
             }
         });
     }
 
     fn unlink(&mut self, slot: Slot, segment: u32) {
-        let head = &mut self.cells[slot as usize].segments;
+        let mut head = self.cells[slot as usize].segments;
+        self.unlink_from(&mut head, segment);
+        self.cells[slot as usize].segments = head;
+    }
+
+    /// Removes a segment from the list that starts with a link; whether it was there.
+    fn unlink_from(&mut self, head: &mut u32, segment: u32) -> bool {
         let (mut before, mut at) = (NONE, *head);
         while at != NONE && self.links[at as usize].segment != segment {
             (before, at) = (at, self.links[at as usize].next);
         }
         if at == NONE {
-            return;
+            return false;
         }
         let next = std::mem::replace(&mut self.links[at as usize].next, self.free);
         self.free = at;
@@ -296,6 +306,7 @@ impl Buckets {
             Some(link) => link.next = next,
             None => *head = next,
         }
+        true
     }
 }
 
@@ -404,7 +415,7 @@ impl Buckets {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geom::predicates::meets_pixel;
+    use crate::geom::predicates::{crosses, meets_pixel};
 
     #[test]
     fn every_pixel_that_a_segment_meets_is_in_one_of_its_cells() {
@@ -506,14 +517,14 @@ mod tests {
         let ends: Vec<(Point, Point)> = (0..10).map(segment).collect();
         let mut buckets = Buckets::new(6, &[]);
         let add = |buckets: &mut Buckets, segment: usize| {
-            let ((a, b), mut slots, mut leaves) = (ends[segment], Vec::new(), Vec::new());
+            let ((a, b), mut slots, mut met) = (ends[segment], Vec::new(), Vec::new());
             buckets.slots_along(a, b, &mut slots);
             for slot in slots {
-                buckets.leaves_along(slot, a, b, &mut leaves);
+                buckets.meet(slot, (a, b), segment as u32, &mut met);
             }
-            for leaf in leaves {
-                buckets.add_segment(leaf, segment as u32);
-            }
+            let crosses = |&other: &usize| crosses(a, b, ends[other].0, ends[other].1);
+            let mut crossed = (0..segment).filter(crosses);
+            assert!(crossed.all(|other| met.contains(&(other as u32))));
         };
         (0..5).for_each(|segment| add(&mut buckets, segment));
         let sparse = said(&buckets, &ends, side);

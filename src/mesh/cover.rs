@@ -7,6 +7,8 @@
 
 use super::FeatureId;
 use super::buckets::CellHasher;
+use super::limit::{MOST_COVERS, Stop};
+use super::progress::Part;
 use super::regions::Regions;
 use super::short::Short;
 use super::topology::{NONE, OUTSIDE, Quarter, Topology, sym};
@@ -27,6 +29,9 @@ const UNKNOWN: CoverId = u32::MAX;
 /// How often the borders of regions are gone through. What is then unknown, as may be where many lie in one another, is found
 /// by walking.
 const PASSES: usize = 4;
+
+/// So many borders are gone through between two looks at whether anybody still waits.
+const CHECKED: usize = 1024;
 
 #[derive(Clone, Debug)]
 struct Cover {
@@ -67,6 +72,8 @@ pub struct Covers {
     of_face: Vec<CoverId>,
     /// Per face: whether a body is stopped by it. The outside stops bodies though nothing covers it.
     solid: Vec<bool>,
+    /// How many features the covers have together.
+    listed: usize,
     /// Those of the features that stop nobody.
     regions: BTreeSet<FeatureId>,
     /// What was added to what last, and what it gave: faces next to each other mostly have the same cover.
@@ -106,6 +113,7 @@ impl Covers {
             ids,
             of_face: vec![EMPTY],
             solid: vec![true],
+            listed: 0,
             regions: BTreeSet::new(),
             sum: None,
             scratch: Windings::new(),
@@ -154,6 +162,7 @@ impl Covers {
             }
             at = cover.next;
         }
+        self.listed += windings.len();
         let inside = windings.iter().filter(|w| w.1 > 0).map(|w| w.0);
         self.inside.clear();
         self.inside.extend(inside);
@@ -182,6 +191,7 @@ impl Covers {
     /// Lets the number of a cover that no face has be given away.
     fn drop_cover(&mut self, id: CoverId) {
         let Cover { hash, next, .. } = self.interned[id as usize];
+        self.listed -= self.interned[id as usize].windings().count();
         let first = self.ids.get(&hash).copied().unwrap_or(NONE);
         if first != id {
             let mut before = first as usize;
@@ -265,12 +275,17 @@ impl Covers {
 
     /// The same for all faces of a mesh that was made at once: region by region, and the borders between them as they lie in
     /// memory, forth and back.
+    ///
+    /// # Errors
+    /// Nobody waits for it any more, or it is too much and there is a bound.
     pub fn spread_first(
         &mut self,
         t: &Topology,
         is_free: &impl Fn(Quarter) -> bool,
         gain: &impl Fn(Quarter, &mut Windings),
-    ) {
+        bounded: bool,
+        part: Part,
+    ) -> Result<(), Stop> {
         self.make_room(t);
         for face in t.faces() {
             self.forget(face);
@@ -279,8 +294,20 @@ impl Covers {
             of_face,
             mut borders,
         } = Regions::of(t, is_free);
-        for _ in 0..PASSES {
+        let (all, mut stopped) = (borders.len(), None);
+        for pass in 0..PASSES {
+            let part = part.between(pass as f32 / PASSES as f32, 1.0);
+            let mut seen = 0;
             borders.retain(|&border| {
+                seen += 1;
+                if seen % CHECKED == 0 {
+                    let stop = part.done(seen, PASSES * all).err().map(Stop::from);
+                    let large = bounded && self.listed > MOST_COVERS;
+                    stopped = stopped.or(stop).or(large.then_some(Stop::TooMuch));
+                }
+                if stopped.is_some() {
+                    return true;
+                }
                 let known = |region: u32| self.of_face[region as usize] != UNKNOWN;
                 let border = match (known(border.left), known(border.right)) {
                     (false, true) => border,
@@ -294,6 +321,9 @@ impl Covers {
             });
             borders.reverse();
         }
+        if let Some(stop) = stopped {
+            return Err(stop);
+        }
         let mut unknown = Vec::new();
         for face in t.faces() {
             match self.of_face[of_face[face as usize] as usize] {
@@ -303,6 +333,7 @@ impl Covers {
             }
         }
         self.spread(t, &unknown, is_free, gain);
+        Ok(())
     }
 
     /// Makes room for the covers of all faces.

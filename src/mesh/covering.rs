@@ -5,6 +5,8 @@
 //! also changes the cover of the old faces inside it, which are found from its chain inwards.
 
 use super::cover::Windings;
+use super::limit::Stop;
+use super::progress::{Part, Phase};
 use super::topology::{Quarter, sym};
 use super::{FeatureId, Mesh};
 
@@ -21,13 +23,15 @@ impl Mesh {
     }
 
     /// Gives all faces of a mesh that was built at once their covers.
-    pub(super) fn spread_first(&mut self) {
+    pub(super) fn spread_first(&mut self, bounded: bool, part: Part) -> Result<(), Stop> {
+        part.begin(Phase::Covering)?;
         let topology = &mut self.triangulation.topology;
         topology.take_touched(&mut self.rewired);
         let uses = &self.uses;
         let is_free = |e: Quarter| uses.is_empty(e);
         let gain = |e, gains: &mut Windings| gains.extend(uses.gains(e));
-        self.covers.spread_first(topology, &is_free, &gain);
+        self.covers
+            .spread_first(topology, &is_free, &gain, bounded, part)
     }
 
     /// Gives new faces their covers, leaving one feature out of account.

@@ -6,6 +6,8 @@
 
 use super::cover::Covers;
 use super::hilbert::hilbert;
+use super::limit::Stop;
+use super::progress::{Left, Part, Phase};
 use super::snap::{Arrangement, Diff};
 use super::topology::Quarter;
 use super::triangulation::{CORNERS, EDGE_OF_WORLD, Triangulation};
@@ -30,10 +32,10 @@ const LONG: usize = 24;
 
 /// A feature on its way into the mesh.
 #[derive(Clone, Copy)]
-struct Entry<'a> {
-    id: FeatureId,
+pub(super) struct Entry<'a> {
+    pub id: FeatureId,
     kind: Kind,
-    edges: &'a [ExpandedEdge],
+    pub edges: &'a [ExpandedEdge],
 }
 
 impl Mesh {
@@ -43,19 +45,30 @@ impl Mesh {
     /// *wires*: they are in the mesh and cover nothing.
     ///
     /// # Errors
-    /// If an edge leaves the world or has no length.
+    /// If an edge leaves the world or has no length, or the mesh would be too large.
     pub fn build(features: &[Vec<ExpandedEdge>]) -> Result<Mesh, MeshError> {
         let kind = Kind::Solid;
         let entry = |(id, edges)| Entry { id, kind, edges };
         let edges = features.iter().map(Vec::as_slice);
-        Self::assemble((0..).zip(edges).map(entry).collect())
+        Self::assemble((0..).zip(edges).map(entry).collect(), Part::UNSEEN)
     }
 
     /// The mesh of features of any kinds, with ids of the caller's choice.
     ///
     /// # Errors
-    /// If two have the same id, or an edge leaves the world or has no length.
+    /// If two have the same id, or an edge leaves the world or has no length, or the mesh would be too large.
     pub fn of(features: &[(FeatureId, Kind, Vec<ExpandedEdge>)]) -> Result<Mesh, MeshError> {
+        Self::watched(features, Part::UNSEEN)
+    }
+
+    /// The same, as a part of long work that others wait for.
+    ///
+    /// # Errors
+    /// As for [`Mesh::of`], or if nobody waits for it any more.
+    pub fn watched(
+        features: &[(FeatureId, Kind, Vec<ExpandedEdge>)],
+        part: Part,
+    ) -> Result<Mesh, MeshError> {
         let mut seen = BTreeSet::new();
         if let Some(&(feature, ..)) = features.iter().find(|f| !seen.insert(f.0)) {
             return Err(MeshError::Occupied { feature });
@@ -65,20 +78,28 @@ impl Mesh {
             kind: *kind,
             edges,
         });
-        Self::assemble(entries.collect())
+        Self::assemble(entries.collect(), part)
     }
 
     /// The mesh of features whose ids differ.
-    fn assemble(mut batch: Vec<Entry>) -> Result<Mesh, MeshError> {
+    fn assemble(mut batch: Vec<Entry>, part: Part) -> Result<Mesh, MeshError> {
         for entry in &batch {
             check(entry)?;
         }
         let mut mesh = Mesh::empty(usual_shift(&batch));
         // Neighbours in the plane become neighbours in memory.
         batch.sort_by_cached_key(|entry| entry.edges.first().map(|e| hilbert(e.a)));
-        mesh.put(&batch);
-        mesh.spread_first();
-        Ok(mesh)
+        match mesh.fill(&batch, part) {
+            Ok(()) => Ok(mesh),
+            Err(stop) => Err(stop.told_of(&batch)),
+        }
+    }
+
+    /// Adds checked features to an empty mesh.
+    fn fill(&mut self, batch: &[Entry], part: Part) -> Result<(), Stop> {
+        self.put(batch, true, part.between(0.0, 0.85))?;
+        self.spread_first(true, part.between(0.85, 1.0))?;
+        Ok(part.done(1, 1)?)
     }
 
     /// A mesh without features, with buckets of 2^shift steps.
@@ -95,7 +116,8 @@ impl Mesh {
             rewired: Vec::new(),
             buried: 0,
         };
-        mesh.spread_first();
+        mesh.spread_first(false, Part::UNSEEN)
+            .expect("there is no bound, and nobody to leave");
         mesh
     }
 
@@ -123,7 +145,8 @@ impl Mesh {
         let id = feature;
         let entry = Entry { id, kind, edges };
         check(&entry)?;
-        self.put(&[entry]);
+        self.put(&[entry], false, Part::UNSEEN)
+            .map_err(|stop| stop.told_of(&[entry]))?;
         self.spread(Some(feature));
         self.cover_inside(feature);
         Ok(())
@@ -143,25 +166,29 @@ impl Mesh {
             .remove(&feature)
             .map(|f| f.segments)
             .unwrap_or_default();
-        let diff = self.arrangement.edit(&[], &segments);
-        self.apply(&diff);
+        let removed = self
+            .arrangement
+            .edit(&[], &segments, false, Part::UNSEEN)
+            .and_then(|diff| self.apply(&diff, Part::UNSEEN));
+        removed.map_err(|stop| stop.told_of(&[]))?;
         self.spread(None);
         self.covers.set_region(feature, false);
         Ok(())
     }
 
     /// Adds checked features to everything but the covers.
-    fn put(&mut self, batch: &[Entry]) {
+    fn put(&mut self, batch: &[Entry], bounded: bool, part: Part) -> Result<(), Stop> {
         let edges = batch.iter().flat_map(|entry| entry.edges);
         let ends: Vec<(Point, Point)> = edges.map(|e| (e.a, e.b)).collect();
-        let diff = self.arrangement.edit(&ends, &[]);
+        let snapped = part.between(0.0, 0.4);
+        let diff = self.arrangement.edit(&ends, &[], bounded, snapped)?;
         let mut ids = diff.added.as_slice();
         for entry in batch {
             let (own, rest) = ids.split_at(entry.edges.len());
             self.record(entry, own);
             ids = rest;
         }
-        self.apply(&diff);
+        self.apply(&diff, part.between(0.4, 1.0))
     }
 
     /// Notes which segments are whose.
@@ -207,7 +234,7 @@ impl Mesh {
     }
 
     /// Makes the triangulation follow the arrangement: all changed chains out, then all in.
-    fn apply(&mut self, diff: &Diff) {
+    fn apply(&mut self, diff: &Diff, part: Part) -> Result<(), Stop> {
         self.buried = diff.dead.len();
         for route in &diff.rerouted {
             for pair in route.old.windows(2) {
@@ -235,19 +262,23 @@ impl Mesh {
                 settle(&mut self.triangulation, &self.arrangement, v);
             }
         }
-        self.settle_crowds(diff);
+        let (crowds, chains) = (part.between(0.0, 0.5), part.between(0.5, 1.0));
+        crowds.begin(Phase::Triangulating)?;
+        self.settle_crowds(diff, crowds)?;
         // Every other new vertex is on an added chain, too: its place is found from the vertex before.
-        for &segment in &diff.added {
+        for (i, &segment) in diff.added.iter().enumerate() {
             self.lay(segment, None);
+            chains.done(i, diff.added.len())?;
         }
         for route in &diff.rerouted {
             self.lay(route.segment, Some(&route.new));
         }
         self.uses.settle(&self.segments);
+        Ok(())
     }
 
     /// Puts the vertices of long chains into the triangulation, without their edges.
-    fn settle_crowds(&mut self, diff: &Diff) {
+    fn settle_crowds(&mut self, diff: &Diff, part: Part) -> Result<(), Left> {
         let chains = diff.added.iter().map(|&s| self.arrangement.chain(s));
         let long = chains.filter(|chain| chain.len() > LONG).flatten();
         let is_new = |v: &VertexId| !self.triangulation.topology.has_vertex(v.0);
@@ -256,10 +287,12 @@ impl Mesh {
         crowd.dedup();
         crowd.sort_by_cached_key(|&v| hilbert(self.arrangement.point(v)));
         for step in SAMPLES.into_iter().chain([1]) {
-            for &v in crowd.iter().step_by(step) {
+            for (i, &v) in crowd.iter().enumerate().step_by(step) {
                 settle(&mut self.triangulation, &self.arrangement, v);
+                part.done(i / step, crowd.len())?;
             }
         }
+        Ok(())
     }
 
     /// Puts a chain into the triangulation, or the stretch of it that is not there.

@@ -23,6 +23,8 @@ mod edit;
 mod enforce;
 mod hash;
 mod hilbert;
+mod limit;
+mod progress;
 mod query;
 mod regions;
 mod short;
@@ -42,6 +44,8 @@ use std::fmt;
 
 pub use crate::geom::{ExpandedEdge, Source};
 pub use cast::{Cast, Hit};
+pub use limit::MOST_VERTICES;
+pub use progress::{Left, Part, Phase, Progress};
 pub use query::{Nearest, Overlap};
 pub use surfaces::{Surface, Surfaces};
 pub use sweep::{Pass, Sweep};
@@ -193,6 +197,15 @@ pub enum MeshError {
         /// The id.
         feature: FeatureId,
     },
+    /// The mesh would be too large: see [`MOST_VERTICES`].
+    TooMuch {
+        /// One of the two features that cross most often, as far as some of their edges tell.
+        first: FeatureId,
+        /// The other one; the same, if no two cross.
+        second: FeatureId,
+    },
+    /// Nobody waits for the mesh any more.
+    Left,
 }
 
 impl fmt::Display for MeshError {
@@ -209,6 +222,11 @@ impl fmt::Display for MeshError {
                 write!(f, "feature {feature} is in the mesh already")
             }
             MeshError::Unknown { feature } => write!(f, "feature {feature} is not in the mesh"),
+            MeshError::TooMuch { first, second } => write!(
+                f,
+                "more than {MOST_VERTICES} corners and crossings; features {first} and {second} cross most"
+            ),
+            MeshError::Left => write!(f, "left before it was done"),
         }
     }
 }

@@ -9,6 +9,8 @@
 //! segment whose chain changes because of that.
 
 use super::buckets::{Buckets, Slot};
+use super::limit::{MOST_CROSSINGS, MOST_PIECES, MOST_VERTICES, Stop};
+use super::progress::{Part, Phase};
 use super::short::Short;
 use super::{SegmentId, VertexId};
 use crate::geom::Point;
@@ -61,6 +63,8 @@ pub struct Arrangement {
     chain: Vec<VertexId>,
     /// Scratch: cells along a segment.
     leaves: Vec<Slot>,
+    /// Scratch: segments in the cells of another.
+    met: Vec<u32>,
     /// How many segments have been registered.
     registered: u64,
     /// By segment which of them it was tested against last: what meets in many cells is tested once.
@@ -81,6 +85,7 @@ impl Arrangement {
             crossings: Vec::new(),
             chain: Vec::new(),
             leaves: Vec::new(),
+            met: Vec::new(),
             registered: 0,
             tested: Vec::new(),
         }
@@ -110,7 +115,16 @@ impl Arrangement {
     /// Adds segments (each of some length) and removes others. Returns what changes.
     ///
     /// The ids of removed segments and dead vertices may be given away by the next edit.
-    pub fn edit(&mut self, add: &[(Point, Point)], remove: &[SegmentId]) -> Diff {
+    ///
+    /// # Errors
+    /// Nobody waits for it any more, or it is too much and there is a bound; then all of it is to be thrown away.
+    pub fn edit(
+        &mut self,
+        add: &[(Point, Point)],
+        remove: &[SegmentId],
+        bounded: bool,
+        part: Part,
+    ) -> Result<Diff, Stop> {
         let mut diff = Diff::default();
         for &segment in remove {
             let (old, new) = (self.unregister(segment), Chain::default());
@@ -129,9 +143,16 @@ impl Arrangement {
         self.buckets.reserve(slots.len());
         let starts = std::iter::once(0).chain(spans.iter().copied());
         let spans = starts.zip(&spans).map(|(from, &to)| &slots[from..to]);
+        let crossing = part.between(0.0, 0.6);
+        crossing.begin(Phase::Crossing)?;
+        let mut crossings = 0;
         for (&(a, b), slots) in add.iter().zip(spans.clone()) {
-            let segment = self.register(a, b, slots, &mut diff.born);
+            let segment = self.register(a, b, slots, &mut diff.born, &mut crossings);
             diff.added.push(segment);
+            crossing.done(diff.added.len(), add.len())?;
+            if bounded && (diff.born.len() > MOST_VERTICES || crossings > MOST_CROSSINGS) {
+                return Err(Stop::TooMuch);
+            }
         }
         diff.dead = self.cooled(&diff.rerouted);
         if survivors {
@@ -141,11 +162,20 @@ impl Arrangement {
             self.buckets.cool(v);
             self.free_vertices.push(v);
         }
-        for (&segment, slots) in diff.added.iter().zip(spans) {
-            self.chains[segment.index()] = self.find_chain(segment, slots);
+        let snapping = part.between(0.6, 1.0);
+        snapping.begin(Phase::Snapping)?;
+        let mut pieces = 0;
+        for (i, (&segment, slots)) in diff.added.iter().zip(spans).enumerate() {
+            let chain = self.find_chain(segment, slots);
+            pieces += chain.len();
+            self.chains[segment.index()] = chain;
+            snapping.done(i, add.len())?;
+            if bounded && pieces > MOST_PIECES {
+                return Err(Stop::TooMuch);
+            }
         }
         self.free_segments.extend(remove.iter().rev());
-        diff
+        Ok(diff)
     }
 
     /// Takes a segment out of the buckets; returns its chain.
@@ -155,13 +185,14 @@ impl Arrangement {
         std::mem::take(&mut self.chains[segment.index()])
     }
 
-    /// Puts a segment into its cells and heats its ends and its crossings with those that are there.
+    /// Puts a segment into its cells and heats its ends and its crossings with those that are there, which are counted.
     fn register(
         &mut self,
         a: Point,
         b: Point,
         slots: &[Slot],
         born: &mut Vec<VertexId>,
+        count: &mut usize,
     ) -> SegmentId {
         let segment = match self.free_segments.pop() {
             Some(free) => {
@@ -179,10 +210,10 @@ impl Arrangement {
         self.registered += 1;
         self.tested.resize(self.ends.len(), 0);
         let mut crossings = std::mem::take(&mut self.crossings);
-        let leaves = self.leaves((a, b), slots);
-        for &slot in &leaves {
-            let others = self.buckets.add_segment(slot, segment.0);
-            for other in self.buckets.segments_from(others) {
+        let mut met = std::mem::take(&mut self.met);
+        for &slot in slots {
+            self.buckets.meet(slot, (a, b), segment.0, &mut met);
+            for other in met.drain(..) {
                 let tested = &mut self.tested[other as usize];
                 if std::mem::replace(tested, self.registered) == self.registered {
                     continue;
@@ -193,6 +224,7 @@ impl Arrangement {
                 }
             }
         }
+        *count += crossings.len();
         // Many may lie in the same pixel.
         crossings.sort_unstable();
         crossings.dedup();
@@ -200,7 +232,7 @@ impl Arrangement {
             self.heat(p, born);
         }
         self.crossings = crossings;
-        self.leaves = leaves;
+        self.met = met;
         segment
     }
 

@@ -29,6 +29,10 @@ pub struct Split {
     first: (i64, i64),
     /// How many pixels they have together.
     pixels: u32,
+    /// The first link of the segments in all of them, if it is in no split cell itself.
+    segments: u32,
+    /// How many those are.
+    count: u32,
 }
 
 impl Split {
@@ -89,6 +93,53 @@ impl Buckets {
         });
     }
 
+    /// Adds a segment to one of its cells, and writes the segments that were there to a list; some may come several times.
+    pub fn meet(&mut self, slot: Slot, (a, b): (Point, Point), segment: u32, met: &mut Vec<u32>) {
+        let Some(index) = self.cells[slot as usize].split() else {
+            let before = self.add_segment(slot, segment);
+            met.extend(self.segments_from(before));
+            return;
+        };
+        let Split {
+            segments, count, ..
+        } = self.splits[index];
+        let (mut leaves, first) = (std::mem::take(&mut self.leaves), met.len());
+        self.leaves_along(slot, a, b, &mut leaves);
+        for leaf in leaves.drain(..) {
+            let before = self.add_segment(leaf, segment);
+            if met.len() - first <= count as usize {
+                met.extend(self.segments_from(before));
+            }
+        }
+        self.leaves = leaves;
+        // Long ones beside each other meet in many cells: then each is asked once, wherever it is.
+        if met.len() - first > count as usize {
+            met.truncate(first);
+            met.extend(self.segments_from(segments));
+        }
+        let link = self.make_link(segment, segments);
+        let split = &mut self.splits[index];
+        (split.segments, split.count) = (link, count + 1);
+    }
+
+    /// Removes a segment from one of its cells.
+    pub(super) fn part(&mut self, slot: Slot, (a, b): (Point, Point), segment: u32) {
+        let Some(index) = self.cells[slot as usize].split() else {
+            return self.unlink(slot, segment);
+        };
+        let mut leaves = std::mem::take(&mut self.leaves);
+        self.leaves_along(slot, a, b, &mut leaves);
+        for leaf in leaves.drain(..) {
+            self.unlink(leaf, segment);
+        }
+        self.leaves = leaves;
+        let mut head = self.splits[index].segments;
+        if self.unlink_from(&mut head, segment) {
+            let split = &mut self.splits[index];
+            (split.segments, split.count) = (head, split.count - 1);
+        }
+    }
+
     /// The pixels of a cell and of those in it, first of the one that a point lies in, if it does.
     pub(super) fn pixels_below(&self, slot: Slot, p: Point) -> impl Iterator<Item = VertexId> + '_ {
         let nearest = self.split_of(slot).map(|_| self.leaf(slot, p));
@@ -116,18 +167,22 @@ impl Buckets {
             slot = split.inner(p);
         }
         if others >= MANY {
-            self.split(slot, shift, p, ends);
+            let kept = slot == top;
+            self.split(slot, shift, p, ends, kept);
         }
     }
 
-    /// Splits a cell of 2^shift steps, more than the square root of [`MANY`], that a point lies in.
-    fn split(&mut self, slot: Slot, shift: u32, p: Point, ends: &[(Point, Point)]) {
+    /// Splits a cell of 2^shift steps, more than the square root of [`MANY`], that a point lies in; its list of segments is
+    /// kept beside the new ones if that is wanted.
+    fn split(&mut self, slot: Slot, shift: u32, p: Point, ends: &[(Point, Point)], kept: bool) {
         let first = |c: i32| 4 * (i64::from(c) >> shift);
         let split = Split {
             block: self.make_block(),
             shift: shift - 2,
             first: (first(p.x), first(p.y)),
             pixels: 0,
+            segments: NONE,
+            count: 0,
         };
         let index = self.vacant_splits.pop().unwrap_or_else(|| {
             self.splits.push(split);
@@ -140,7 +195,15 @@ impl Buckets {
         let whole = std::mem::replace(&mut self.cells[slot as usize], cell);
         self.splits[index as usize] = split;
         let mut leaves = Vec::new();
-        for segment in self.take_segments(whole) {
+        let segments = match kept {
+            true => self.segments_from(whole.segments).collect(),
+            false => self.take_segments(whole.segments),
+        };
+        if kept {
+            let split = &mut self.splits[index as usize];
+            (split.segments, split.count) = (whole.segments, segments.len() as u32);
+        }
+        for segment in segments {
             let (a, b) = ends[segment as usize];
             self.inner_along(&split, a, b, &mut leaves);
             for leaf in leaves.drain(..) {
@@ -156,7 +219,7 @@ impl Buckets {
             let pixels = self.pixels(inner).count() as u32;
             let some = self.pixels(inner).next();
             if let Some((_, p)) = some.filter(|_| pixels > MANY) {
-                self.split(inner, split.shift, p, ends);
+                self.split(inner, split.shift, p, ends, false);
             }
         }
     }
@@ -189,11 +252,12 @@ impl Buckets {
     fn clear(&mut self, slot: Slot, segments: &mut Vec<u32>, pixels: &mut Vec<VertexId>) {
         let cell = std::mem::replace(&mut self.cells[slot as usize], EMPTY);
         let Some(index) = cell.split() else {
-            segments.extend(self.take_segments(cell));
+            segments.extend(self.take_segments(cell.segments));
             pixels.extend(self.take_pixels(cell));
             return;
         };
         let split = self.splits[index];
+        self.take_segments(split.segments);
         for inner in split.all() {
             self.clear(inner, segments, pixels);
         }
@@ -201,10 +265,10 @@ impl Buckets {
         self.vacant_splits.push(index as u32);
     }
 
-    /// The segments of a cell that has been taken away; their links are free.
-    fn take_segments(&mut self, cell: Cell) -> Vec<u32> {
-        let segments = self.segments_from(cell.segments).collect();
-        let mut at = cell.segments;
+    /// The segments from a link on; their links are free.
+    fn take_segments(&mut self, first: u32) -> Vec<u32> {
+        let segments = self.segments_from(first).collect();
+        let mut at = first;
         while let Some(link) = self.links.get_mut(at as usize) {
             let next = std::mem::replace(&mut link.next, self.free);
             self.free = std::mem::replace(&mut at, next);
