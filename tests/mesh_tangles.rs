@@ -6,7 +6,7 @@ mod common;
 mod tangles;
 
 use common::{checker, worlds};
-use edgewalker::geom::{Collider, ExpandedEdge, Point, Source};
+use edgewalker::geom::{Collider, ExpandedEdge, Point};
 use edgewalker::mesh::{Kind, Mesh, MeshError, Part, Phase, Progress};
 use std::time::{Duration, Instant};
 use tangles::{TANGLES, Tangle};
@@ -82,17 +82,27 @@ fn tangles_come_and_go_feature_by_feature() {
     }
 }
 
-/// The least time of three builds.
+/// How long the processor has worked for this thread; the clock's time where the system does not tell.
+fn worked(since: Instant) -> Duration {
+    let told = std::fs::read_to_string("/proc/thread-self/schedstat").ok();
+    let nanoseconds = told.and_then(|text| text.split(' ').next()?.parse().ok());
+    nanoseconds.map_or_else(|| since.elapsed(), Duration::from_nanos)
+}
+
+/// How long the processor works for a build: many, so that what else it does counts for little.
 fn time((name, world): Tangle, n: usize) -> Duration {
     let features = features(world, n);
-    let build = |_| {
-        let start = Instant::now();
+    let (clock, mut builds) = (Instant::now(), 0);
+    let start = worked(clock);
+    loop {
         let mesh = Mesh::build(&features).unwrap();
-        let took = start.elapsed();
         assert!(mesh.vertices().count() > 4, "{name}");
-        took
-    };
-    (0..3).map(build).min().unwrap()
+        builds += 1;
+        let all = worked(clock) - start;
+        if all > Duration::from_millis(150) {
+            return all / builds;
+        }
+    }
 }
 
 /// Sixteen times the crossings would take 256 times as long if every one looked at all others. The bound leaves room for a machine
@@ -101,7 +111,7 @@ fn time((name, world): Tangle, n: usize) -> Duration {
 fn time_grows_with_the_crossings_and_not_with_their_square() {
     for tangle in TANGLES {
         let (few, many) = (time(tangle, 40), time(tangle, 160));
-        let bound = 64 * few + Duration::from_millis(60);
+        let bound = 64 * few;
         println!("{}: {few:?}, of 16 times the crossings {many:?}", tangle.0);
         assert!(
             cfg!(debug_assertions) || many < bound,
@@ -192,24 +202,16 @@ fn what_is_too_much_is_refused_soon_and_names_who_crosses_most() {
     println!("refused after {took:?}: {error}");
 }
 
-/// Outlines that all lie on one another make few vertices, and still are not built for ever.
+/// Lines that lie on one another make few vertices, and still are not built for ever.
 #[test]
 fn what_has_too_many_pieces_is_refused_too() {
-    let step = |i: i32| {
-        let (w, h) = (1000 + 100 * i, 1000 + 100 * (6000 - i));
-        let corners = [(0, 0), (w, 0), (w, h), (0, h)].map(|(x, y)| Point::new(x, y));
-        let edge = |k: usize| ExpandedEdge {
-            a: corners[k],
-            b: corners[(k + 1) % 4],
-            source: Source::Edge { edge: k as u32 },
-        };
-        (i as u32, Kind::Region, (0..4).map(edge).collect::<Vec<_>>())
-    };
+    let origin = Point::new(0, 0);
+    let line = |i: i32| worlds::wire(&[(origin, Point::new(100 * i, 0))]);
+    let lines: Vec<_> = (1..8300)
+        .map(|i| (i as u32, Kind::Solid, line(i)))
+        .collect();
     let begin = Instant::now();
-    let error = Mesh::of(&(0..6000).map(step).collect::<Vec<_>>()).unwrap_err();
-    let MeshError::TooMuch { first, second } = error else {
-        panic!("{error}");
-    };
-    assert!(first < second, "two that cross");
+    let error = Mesh::of(&lines).unwrap_err();
+    assert!(matches!(error, MeshError::TooMuch { .. }), "{error}");
     println!("refused after {:?}: {error}", begin.elapsed());
 }
