@@ -269,6 +269,7 @@ mod tests {
             b,
             feature,
             source: Source::Edge { edge: 0 },
+            aside: Aside::default(),
         };
         let segments: Vec<Segment> = (0..count).map(segment).collect();
         for stride in [1, 7, 11, count - 1] {

@@ -153,7 +153,8 @@ impl Buckets {
                 }
             }
         });
-        let leaves = nearest.into_iter().chain(leaves);
+        let others = leaves.filter(move |&slot| Some(slot) != nearest);
+        let leaves = nearest.into_iter().chain(others);
         leaves.flat_map(|slot| self.pixels(slot).map(|pixel| pixel.0))
     }
 
