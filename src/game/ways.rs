@@ -1,13 +1,14 @@
 //! Where the hero has been within a tick: in closed form, so that nothing depends on when somebody looks.
 
 use super::world::{HERO, World};
+use crate::geom::STEP;
 use crate::level::Rect;
 use crate::motion::roots::zeros;
 use crate::motion::{Piece, Way};
 use glam::DVec2;
 
-/// What rounding may make of a position, m.
-const ROUNDING: f64 = 1e-9;
+/// How far from a room's rim a place is still on it, m: rooms are on the grid, and a place may be drawn half a step beside it.
+const ROUNDING: f64 = 0.5 * STEP + 1e-9;
 
 impl World {
     /// The hero's motions in the last tick, the latest first: each with its span of time, s.
@@ -73,7 +74,7 @@ impl World {
     }
 }
 
-/// Whether a place is in a room or on its rim, as rounding goes.
+/// Whether a place is in a room or on its rim.
 fn is_in(room: &Rect, p: DVec2) -> bool {
     p.cmpge(room.min - ROUNDING).all() && p.cmple(room.max + ROUNDING).all()
 }

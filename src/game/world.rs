@@ -193,7 +193,8 @@ impl World {
             body,
         });
         self.traces.push(Trace::default());
-        (self.done.push(0), self.told.push(0));
+        self.done.push(0);
+        self.told.push(0);
         let number = self.state.actors.len() - 1;
         self.begin(number);
         self.settle();

@@ -325,7 +325,7 @@ mod tests {
             "material: Iron,",
         ] {
             let rock = ROCK.replace("outline", &format!("{host} outline"));
-            let alone = words(&[rock.clone()]);
+            let alone = words(std::slice::from_ref(&rock));
             for kind in KINDS {
                 let mut all = vec![rock.clone()];
                 for (i, at) in [
