@@ -89,7 +89,9 @@ fn every_level_may_follow_every_other_one() {
                     assert!(!away);
                     if now.deaths == 0 && now.away.is_none() {
                         kept += 1;
-                        assert_eq!(now.position, p, "{i} to {j}");
+                        // Who stood on what moves is put on the height at which it is drawn, without its rounding.
+                        let moved = (now.position - p).length();
+                        assert!(moved < 1e-14, "{i} to {j}: {moved:e} m");
                         assert!(
                             i != j || (now.velocity - v).length() < 1e-9,
                             "{i}: {v} {}",
