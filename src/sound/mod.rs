@@ -75,6 +75,9 @@ impl Level {
     }
 }
 
+/// Cues of one tick that there is room for from the start, before the list grows: a level may have this many machines turn at once.
+const CUES: usize = 256;
+
 /// What there is to hear of a tick.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Heard {
@@ -132,7 +135,7 @@ impl Soundscape {
             score: score::Score::new(&stage.level),
             crowd: crowd::Crowd::default(),
             heard: Heard {
-                cues: Vec::new(),
+                cues: Vec::with_capacity(CUES),
                 loops: [Level::SILENT; LOOPS],
                 music: Music::default(),
             },
