@@ -26,14 +26,14 @@ impl Body {
     /// # Errors
     /// If the position is no position of the world, or the standing body would overlap a solid there.
     pub fn spawn(at: DVec2, time: f64, terrain: &Terrain) -> Result<Body, SpawnError> {
-        let mut body = Body::put(at, time, Size::Stand, terrain)?;
+        let spot = spot(at, time, terrain)?;
+        let mut body = Body::put(spot, time, Size::Stand, terrain)?;
         body.refresh(terrain, &mut Trace::default());
         Ok(body)
     }
 
     /// A body of a size at rest in the air, before anything follows from that.
-    fn put(at: DVec2, time: f64, size: Size, terrain: &Terrain) -> Result<Body, SpawnError> {
-        let (at, face) = spot(at, time, size, terrain)?;
+    fn put((at, face): Spot, time: f64, size: Size, terrain: &Terrain) -> Result<Body, SpawnError> {
         let mut body = Body::lying(at, face, time);
         body.size = size;
         body.fly(at, DVec2::ZERO, face, [None; 2]);
@@ -47,7 +47,11 @@ impl Body {
     /// # Errors
     /// As [`Body::spawn`].
     pub fn moved_to(&self, terrain: &Terrain, trace: &mut Trace) -> Result<Body, SpawnError> {
-        let put = |size| Body::put(self.position(), self.time, size, terrain);
+        // Where it is it has not been drawn, but come to: no bit of that changes.
+        let put = |size| {
+            let spot = free_at(terrain.ground(size), self.position())?;
+            Body::put(spot, self.time, size, terrain)
+        };
         let mut body = match self.size {
             Size::Stand => put(Size::Stand).or_else(|_| put(Size::Crouch)),
             Size::Crouch => put(Size::Crouch),
@@ -111,8 +115,8 @@ impl Body {
 }
 
 /// The place that a position means: on the ground of the level, on that of something that moves, or just there.
-fn spot(at: DVec2, time: f64, size: Size, terrain: &Terrain) -> Result<Spot, SpawnError> {
-    let mesh = terrain.ground(size);
+fn spot(at: DVec2, time: f64, terrain: &Terrain) -> Result<Spot, SpawnError> {
+    let mesh = terrain.ground(Size::Stand);
     let Some(drawn) = Drawn::of(at) else {
         return Err(SpawnError::Outside);
     };
@@ -121,15 +125,17 @@ fn spot(at: DVec2, time: f64, size: Size, terrain: &Terrain) -> Result<Spot, Spa
     {
         return Ok((p, face));
     }
-    let at = deck_at(at, time, size, terrain).unwrap_or(at);
-    // On ground it may stand, whatever rounding has made of that; but not in it.
+    let at = deck_at(at, time, terrain).unwrap_or(at);
+    // Beside a wall or under a ceiling it is by the rounding of the grid where that is.
+    let on_grid = || free_at(mesh, drawn.point().metres());
+    free_at(mesh, at).or_else(|error| on_grid().map_err(|_| error))
+}
+
+/// Just there. On ground a body may stand, whatever rounding has made of that; but not in it.
+fn free_at(mesh: Ground, at: DVec2) -> Result<Spot, SpawnError> {
     let rounding = 8.0 * f64::EPSILON * at.abs().max_element().max(1.0);
-    let free = |at| {
-        let down = Bearing::of(DVec2::NEG_Y, DVec2::NEG_Y);
-        free_face_at(mesh, at, down, rounding).map(|face| (at, face))
-    };
-    // Beside a wall or under a ceiling it is by the same rounding where that is.
-    free(at).or_else(|error| free(drawn.point().metres()).map_err(|_| error))
+    let down = Bearing::of(DVec2::NEG_Y, DVec2::NEG_Y);
+    free_face_at(mesh, at, down, rounding).map(|face| (at, face))
 }
 
 /// Whether a point is on a feature edge, as both were drawn: on a level one exactly, else to the micrometre to which it could be
@@ -149,10 +155,10 @@ fn lies_on(p: Drawn, segment: &Segment) -> bool {
 }
 
 /// The top of something that moves where a position is on it, but for the rounding of its path.
-fn deck_at(at: DVec2, time: f64, size: Size, terrain: &Terrain) -> Option<DVec2> {
+fn deck_at(at: DVec2, time: f64, terrain: &Terrain) -> Option<DVec2> {
     (0..terrain.movers.len() as u32).find_map(|mover| {
         let offset = Ride::at(mover, time, terrain.movers).piece.offset(time);
-        let mesh = terrain.ground_under(Some(mover), size);
+        let mesh = terrain.ground_under(Some(mover), Size::Stand);
         let (p, _) = ground_at(mesh, at - offset, |_| true)?;
         Some(p + offset)
     })
