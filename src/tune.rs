@@ -88,7 +88,10 @@ tunables! {
         air_brake = 30.0 in 0.0..=2000.0, "m/s^2", "Sideways deceleration in the air with the stick released or turned.";
         gravity = 45.0 in 0.0..=400.0, "m/s^2", "Downward acceleration in the air.";
         jump_speed = 16.0 in 0.0..=100.0, "m/s", "Upward speed at a jump.";
-        jump_cut_speed = 5.0 in 0.0..=100.0, "m/s", "Upward speed that remains when the jump key is let go while rising.";
+        jump_cut_speed = 4.0 in 0.0..=100.0, "m/s", "Upward speed, over that of what was left, down to which a jump let go of while rising is braked.";
+        jump_cut_brake = 900.0 in 0.0..=10000.0, "m/s^2", "Deceleration of that, where it is more than gravity.";
+        jump_least = 0.79 in 0.0..=10.0, "m", "How high, as seen from what was left, even the shortest tap jumps: earlier the brake does not begin.";
+        lift_jump = 0.0 in 0.0..=2.0, "", "What a jump takes of the velocity of what carries one.", ["no fall", "all", "nothing"];
         apex_speed = 3.0 in 0.0..=50.0, "m/s", "Below this vertical speed a held jump floats under reduced gravity.";
         apex_gravity = 0.5 in 0.0..=1.0, "", "Share of gravity that acts on a held jump near its apex.";
         fall_speed = 24.0 in 0.0..=1000.0, "m/s", "Terminal speed of a fall.";
@@ -121,6 +124,7 @@ tunables! {
         climb_speed = 4.0 in 0.0..=60.0, "m/s", "Speed that full stick asks for on ladders and climbable walls.";
         climb_accel = 60.0 in 0.0..=2000.0, "m/s^2", "Acceleration there.";
         ladder_reach = 0.5 in 0.0..=4.0, "m", "How far above a ladder, or beside its end, ground may be that is climbed onto from it.";
+        squeeze_speed = 24.0 in 0.0..=1000.0, "m/s", "Fastest that solids squeeze one out between them, or as fast as they move; faster crushes him.";
         lift_memory = 0.1 in 0.0..=1.0, "s", "How long one who leaves a moving solid may still jump with the speed it had.";
     }
 }

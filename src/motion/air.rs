@@ -2,9 +2,9 @@
 
 use super::beside::ROUNDING;
 use super::body::{Air, Body, EventKind, Mode, Next, Surface, Trace, Wedge};
+use super::change::{Moment, flight};
 use super::grip::Grip;
 use super::ladder::Reach;
-use super::law;
 use super::roots::exit;
 use super::terrain::{Ground, Terrain};
 use super::track::{Track, delta};
@@ -367,7 +367,7 @@ impl Body {
         let walkable = mesh.walkable(segment);
         self.off_wall = None;
         if walkable {
-            (self.rising, self.coyote_from) = (false, None);
+            (self.rise, self.coyote_from) = (None, None);
             if std::mem::take(&mut self.climbing) {
                 self.reach = Reach::Landed;
             }
@@ -385,7 +385,7 @@ impl Body {
             return;
         };
         let held = on.walkable || on.grip != Grip::None || self.is_pinned(on.track.normal);
-        if !held && self.pulled_off(&on.track, on.u0, terrain) {
+        if !held && self.pulled_off(&on.track, &self.moment(&on.track, on.u0), terrain) {
             let (segment, v, face) = (
                 on.segment,
                 on.track.tangent * on.u0,
@@ -399,24 +399,18 @@ impl Body {
     }
 
     /// Whether gravity and the active push together point away from a steep surface. The drag of a released stick alone
-    /// lifts nobody off, but it may hold one on: in flight the whole acceleration must lead away.
-    pub(super) fn pulled_off(&self, track: &Track, speed: f64, terrain: &Terrain) -> bool {
+    /// lifts nobody off what does not move off itself, but it may hold one on: in flight the whole acceleration must lead away.
+    pub(super) fn pulled_off(&self, track: &Track, moment: &Moment, terrain: &Terrain) -> bool {
         if self.climbing {
-            return self.climbs_off(track, speed, terrain.tuning);
+            return self.climbs_off(track, moment, terrain.tuning);
         }
-        let carried = self.frame_piece().velocity(self.time);
-        let v = track.tangent * speed + carried;
-        let follows = self.frame_accel();
-        let steer = |x: f64| law::steer(x, &self.control, terrain.tuning);
-        let turns = steer(v.x).turns_at_once(v.x, self.time);
-        let x = steer(if turns { 0.0 } else { v.x });
-        let y = law::fall(v.y, &self.control, terrain.tuning);
-        let push = if self.control.run != 0.0 {
-            x.accel
-        } else {
-            0.0
+        let (x, y) = flight(self, moment, terrain.tuning);
+        let recedes = track.normal.dot(moment.carried) < -moment.rounding;
+        let push = match self.control.run != 0.0 || recedes {
+            true => x.accel,
+            false => 0.0,
         };
-        let away = |x: f64| track.normal.dot(DVec2::new(x, y.accel) - follows) > 0.0;
+        let away = |x: f64| track.normal.dot(DVec2::new(x, y.accel) - moment.follows) > 0.0;
         away(push) && away(x.accel)
     }
 
@@ -426,7 +420,7 @@ impl Body {
             .ground(terrain)
             .left(edge)
             .expect("free on the left of a blocking edge");
-        (self.rising, self.off_wall, self.climbing) = (false, None, false);
+        (self.rise, self.off_wall, self.climbing) = (None, None, false);
         self.mode = Mode::Wedge(Wedge { at, face });
         self.log(EventKind::Wedged, trace);
     }

@@ -143,8 +143,20 @@ impl Body {
         if leave_none(&demands) {
             self.crush(terrain, trace);
         } else if at_once && let Some(v) = way_out(&demands, self.velocity()) {
-            self.fly_off(v, terrain, trace);
+            match v.length() > self.fastest_way_out(terrain) {
+                true => self.crush(terrain, trace),
+                false => self.fly_off(v, terrain, trace),
+            }
         }
+    }
+
+    /// So fast solids may drive the body off: as fast as it is or they are, or as a squeeze may be.
+    fn fastest_way_out(&self, terrain: &Terrain) -> f64 {
+        let pieces = self.beside.iter().map(|b| b.piece());
+        let pieces = pieces.chain([self.frame_piece()]);
+        let speeds = pieces.map(|piece| piece.velocity(self.time).length());
+        let fastest = speeds.fold(self.velocity().length(), f64::max);
+        terrain.tuning.squeeze_speed.max(fastest * (1.0 + ROUNDING)) + fastest
     }
 
     /// Notes what the body is on and what presses on it. If it is back at something, when it left that, s; the last time of several.

@@ -328,10 +328,11 @@ impl Body {
             Some((_, Next::Node)) => {
                 trace.touched += 1;
                 if self.take_up_node(i, terrain, trace) {
-                    return match self.regions_move {
-                        true => self.come_to_place(terrain, trace),
-                        false => self.schedule(terrain),
-                    };
+                    match self.regions_move {
+                        _ if self.waits_for_room() => self.rebase(),
+                        true => return self.come_to_place(terrain, trace),
+                        false => return self.schedule(terrain),
+                    }
                 }
             }
             _ => {}
@@ -502,7 +503,13 @@ impl Body {
         };
         let clear = self.beside.iter().filter(blocked).map(|b| {
             let mesh = b.ground(Size::Stand, terrain);
-            clear_in_flight(&b.flight, self.time, until, mesh).unwrap_or(f64::INFINITY)
+            let clear = clear_in_flight(&b.flight, DVec2::ZERO, self.time, until, mesh);
+            // Where rounding alone says that it is not, it is so after a step.
+            match clear {
+                Some(at) if at > self.time => at,
+                Some(_) => b.flight.a_step_on(self.time),
+                None => f64::INFINITY,
+            }
         });
         clear
             .max_by(f64::total_cmp)

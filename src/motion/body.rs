@@ -7,6 +7,7 @@ use super::grip::Grip;
 use super::ladder::Reach;
 use super::mount::Mount;
 use super::mover::Ride;
+use super::rise::Rise;
 use super::terrain::{Ground, Terrain};
 use super::track::Track;
 use super::wall::{Lock, OffWall};
@@ -150,6 +151,10 @@ pub(super) enum Next {
     Mount,
     /// The frame begins the next piece of its path.
     Node,
+    /// What holds the body where it is changes.
+    Change,
+    /// A buffered jump counts as let go of.
+    Cut,
     /// What is next in another frame, an entry of the body's list of them.
     Beside(u32),
 }
@@ -217,11 +222,15 @@ pub struct Body {
     /// Whether up or down, if held, takes hold of one.
     #[serde(default)]
     pub(super) reach: Reach,
-    /// In the rise of a jump whose key is still held.
-    pub(super) rising: bool,
     /// The moving solid that it stands on or holds on to, if that minds it.
     #[serde(default)]
     pub(super) rides: Option<u32>,
+    /// When jump was let go of, since that press.
+    #[serde(default)]
+    pub(super) released_at: Option<f64>,
+    /// The rise of a jump.
+    #[serde(default)]
+    pub(super) rise: Option<Rise>,
     /// The next event and its time; `None` if nothing will ever happen by itself.
     pub(super) next: Option<(f64, Next)>,
 }
@@ -490,7 +499,7 @@ impl Body {
         let flags = [
             mode + 8 * u8::from(self.climbing) + 16 * self.reach as u8,
             u8::from(self.size == Size::Crouch),
-            u8::from(self.rising),
+            u8::from(self.rise.is_some()),
             self.grip() as u8,
         ];
         hash.update(&flags);
@@ -517,7 +526,17 @@ impl Body {
             timer(self.lock().map(|lock| lock.until)),
             self.lock().map_or(0.0, |lock| lock.run),
         ];
-        for number in numbers {
+        let rise = self.rise.map(|rise| {
+            let cut = f64::from(u8::from(rise.cut));
+            [
+                rise.base,
+                rise.speed,
+                cut,
+                timer(rise.cut_at),
+                timer(self.released_at),
+            ]
+        });
+        for number in numbers.into_iter().chain(rise.into_iter().flatten()) {
             hash.update(&(number + 0.0).to_bits().to_le_bytes());
         }
     }

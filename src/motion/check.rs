@@ -1,12 +1,13 @@
 //! The invariants of a body that can be read off its state; tests and the fuzzer assert them after every step.
 
 use super::beside::Beside;
-use super::body::{Body, Mode, Size, Trace};
+use super::body::{Body, Mode, Next, Size, Trace};
 use super::grip::Grip;
 use super::terrain::{Ground, Region, Terrain};
 use super::vertex::JOINT_STEPS;
 use crate::geom::STEP;
 use crate::mesh::{EdgeId, FeatureId, SegmentId};
+use glam::DVec2;
 
 /// Checks I1 (the place is free, and an airborne position is in it), I2 (the surface's edge exists, blocks, carries the
 /// feature edge, the parameter is on it, the road is its own, and a limit of the speed lies ahead; who holds on is upright,
@@ -46,6 +47,102 @@ pub fn check(body: &Body, terrain: &Terrain, trace: &Trace) -> Result<(), String
         ));
     }
     Ok(())
+}
+
+/// The fastest that anything makes a body, m/s: its own run on a belt, a fall along the flattest slope that is too steep, or a
+/// squeeze, with a jump on top, and what carries and pushes it. Where slopes pull a walker, or a solid speeds up for ever, there is
+/// no such speed.
+pub fn fastest(terrain: &Terrain) -> f64 {
+    let t = terrain.tuning;
+    if t.slope_gravity > 0.0 {
+        return f64::INFINITY;
+    }
+    let belts = terrain.traits.iter().map(|traits| traits.conveyor.abs());
+    let run = t.run_speed.max(t.crouch_speed) * (1.0 + t.slope_speed) + belts.fold(0.0, f64::max);
+    let steep = t.max_slope / (1.0 + t.max_slope * t.max_slope).sqrt();
+    let fall = t.fall_speed.max(t.fast_fall_speed) / steep;
+    let jump = t.jump_speed.max(t.wall_jump_up + t.wall_jump_out);
+    let climb = t.climb_speed.max(t.ledge_climb_speed);
+    let movers = terrain.movers.iter().map(|mover| mover.path.fastest());
+    let own = run.max(fall).max(t.squeeze_speed).max(climb);
+    own + jump + 2.0 * movers.fold(0.0, f64::max)
+}
+
+/// Checks that a body is not faster than anything makes it.
+///
+/// # Errors
+/// If it is, with both speeds.
+pub fn speed(body: &Body, terrain: &Terrain) -> Result<(), String> {
+    let (speed, bound) = (body.velocity().length(), fastest(terrain));
+    match speed <= bound * (1.0 + 1e-9) {
+        true => Ok(()),
+        false => Err(format!("Speed: {speed} m/s where {bound} are the most")),
+    }
+}
+
+/// Checks that a piece of motion holds at a time of it before the next event: a body that looks again there what holds it, and
+/// chooses its law anew, goes on as it was going to. So every condition that can change does so at an event.
+///
+/// # Errors
+/// What would change, with its numbers.
+pub fn steady(body: &Body, at: f64, terrain: &Terrain) -> Result<(), String> {
+    let mut later = body.clone();
+    let mut trace = Trace::default();
+    later.time = at;
+    later.rebase();
+    // What is within a step is met at once where anything else happens: there the next event may begin, and the last one last.
+    let speeds = body.beside.iter().map(|b| later.seen_from(b).1.length());
+    let fastest = match body.next {
+        Some((_, Next::Beside(i))) => later.seen_from(&body.beside[i as usize]).1.length(),
+        Some((_, Next::Hit(..) | Next::Vertex | Next::Grab(_) | Next::Clear(Some(_)))) => {
+            later.local_velocity().length()
+        }
+        _ => speeds.fold(later.velocity().length(), f64::max),
+    };
+    let span = (body.next_at().unwrap_or(f64::INFINITY) - at).min(at - body.time());
+    let near = (0..body.beside.len()).any(|i| later.runs_into(i, terrain).is_some());
+    if near || fastest * span <= f64::from(2 * JOINT_STEPS) * STEP {
+        return Ok(());
+    }
+    later.refresh(terrain, &mut trace);
+    let told = |what: &str| {
+        let (mode, then) = (body.mode(), later.mode());
+        Err(format!(
+            "Guard: {what} at {at}, in the middle of a piece: {mode:?} becomes {then:?}"
+        ))
+    };
+    // From ground a ladder is taken hold of where a key, or the way, leads into it.
+    let takes_hold = body.supported() && later.climbing();
+    if let Some(event) = trace.events.first().filter(|_| !takes_hold) {
+        return told(&format!("{:?}", event.kind));
+    }
+    let presses = |body: &Body| -> Vec<_> {
+        let entries = body.beside.iter();
+        entries
+            .map(|b| (b.mover(), b.contact.map(|c| c.segment)))
+            .collect()
+    };
+    if takes_hold {
+        return Ok(());
+    }
+    if body.carrier() != later.carrier() || presses(body) != presses(&later) {
+        return told("another contact");
+    }
+    let near = |a: DVec2, b: DVec2| (a - b).length() <= 1e-6 * (1.0 + a.length());
+    let same = match (body.mode(), later.mode()) {
+        (Mode::Air(a), Mode::Air(b)) => near(a.accel, b.accel),
+        (Mode::Surface(a), Mode::Surface(b)) => {
+            a.segment == b.segment
+                && a.grip == b.grip
+                && (a.accel - b.accel).abs() <= 1e-6 * (1.0 + a.accel.abs())
+        }
+        (Mode::Wedge(_), Mode::Wedge(_)) | (Mode::Crushed(_), Mode::Crushed(_)) => true,
+        _ => false,
+    };
+    match same {
+        true => Ok(()),
+        false => told("another law"),
+    }
 }
 
 /// An airborne position is at most 2 ulp outside its face. Rounding may have put a piece of a cut feature edge up to half a

@@ -7,6 +7,7 @@
 
 use super::beside::{Beside, ROUNDING};
 use super::body::{Air, Body, EventKind, Mode, Next, Surface, Trace};
+use super::change::Times;
 use super::edit::again;
 use super::joint::Onward;
 use super::mover::Piece;
@@ -91,6 +92,8 @@ struct Bound {
     accel: f64,
     /// It stands across the surface and closes in.
     closes: bool,
+    /// How fast it moves, as what carries the body sees it, m/s.
+    moves: f64,
     /// What rounding may have made of `speed`, that of the time of an event included.
     rounding: f64,
     /// The same of `accel`.
@@ -131,6 +134,7 @@ impl Bound {
             speed: closing / lever,
             accel,
             closes: lever == 0.0 && closes,
+            moves: (piece.velocity(now) - mine.velocity(now)).length(),
             rounding: share(piece.sizes(now) + mine.sizes(now)) + f64::EPSILON * now * accel.abs(),
             accel_rounding: share(accels),
         }
@@ -152,6 +156,14 @@ impl Bound {
     /// Whether a speed is beyond the bound, by more than rounding.
     fn forbids(&self, u: f64) -> bool {
         (u - self.speed) * self.side < 0.0 && !self.is_met(u)
+    }
+
+    /// Whether it drives the body along faster than `limit`, and than it moves itself: a squeeze that nobody gets out of.
+    fn crushes(&self, u: f64, limit: f64) -> bool {
+        let excess = u.abs() - limit.max(self.moves);
+        let grows = u * self.accel > 0.0;
+        let drives = self.is_met(u) && u * self.side > 0.0;
+        drives && (excess > self.rounding || grows && excess >= -self.rounding)
     }
 
     /// Whether an acceleration leads away from the closed contact, by more than rounding.
@@ -261,7 +273,7 @@ impl Body {
     }
 
     /// The edge of another frame that the body runs into so, if there is one.
-    fn runs_into(&self, i: usize, terrain: &Terrain) -> Option<Contact> {
+    pub(super) fn runs_into(&self, i: usize, terrain: &Terrain) -> Option<Contact> {
         let (Mode::Surface(on), Some(beside)) = (&self.mode, self.beside.get(i)) else {
             return None;
         };
@@ -307,8 +319,8 @@ impl Body {
     }
 
     /// The bounds of all contacts for a road in the present frame.
-    fn bounds(&self, segment: SegmentId, track: &Track, terrain: &Terrain) -> Vec<Bound> {
-        let (now, mine) = (self.time, self.frame_piece());
+    fn bounds(&self, segment: SegmentId, track: &Track, now: f64, terrain: &Terrain) -> Vec<Bound> {
+        let mine = self.frame_piece();
         let length = self.ground(terrain).length(segment);
         let entries = self.beside.iter().enumerate();
         let bound = |(i, b): (usize, &Beside)| {
@@ -370,11 +382,15 @@ impl Body {
         let Mode::Surface(on) = &self.mode else {
             return self.release_all();
         };
-        let bounds = self.bounds(on.segment, &on.track, terrain);
+        let bounds = self.bounds(on.segment, &on.track, self.time, terrain);
+        let limit = terrain.tuning.squeeze_speed;
         match allowed(&bounds, on.speed(self.time)) {
             // Each frame overtakes another one at most once.
             _ if self.is_overtaken(&bounds, terrain, trace) => self.press_speed(terrain, trace),
             Verdict::Crushed => self.crush(terrain, trace),
+            Verdict::Speed(u) if bounds.iter().any(|b| b.crushes(u, limit)) => {
+                self.crush(terrain, trace)
+            }
             Verdict::Speed(u) => {
                 self.rebase();
                 if let Mode::Surface(on) = &mut self.mode {
@@ -396,7 +412,7 @@ impl Body {
             return;
         };
         let (u, wish, now) = (on.u0, on.accel, self.time);
-        let bounds = self.bounds(on.segment, &on.track, terrain);
+        let bounds = self.bounds(on.segment, &on.track, self.time, terrain);
         let binds = |b: &&Bound| b.is_closed(u, wish, now);
         let end = |side: f64| {
             bounds
@@ -436,6 +452,34 @@ impl Body {
             if !b.is_closed(u, wish, now) || b.opens(accel) {
                 self.release(b.entry);
             }
+        }
+    }
+
+    /// Whether what presses on the body squeezes it, at a time of its piece, faster than it bears.
+    pub(super) fn is_squeezed(&self, at: f64, terrain: &Terrain) -> bool {
+        let Mode::Surface(on) = &self.mode else {
+            return false;
+        };
+        let (u, limit) = (on.speed(at), terrain.tuning.squeeze_speed);
+        let bounds = self.bounds(on.segment, &on.track, at, terrain);
+        bounds.iter().any(|b| b.crushes(u, limit))
+    }
+
+    /// When that may begin.
+    pub(super) fn squeezing_times(&self, times: &mut Times, terrain: &Terrain) {
+        let Mode::Surface(on) = &self.mode else {
+            return;
+        };
+        let (now, limit) = (self.time, terrain.tuning.squeeze_speed);
+        let u = on.speed(now);
+        let slack = f64::EPSILON * now.abs() * on.accel.abs() + ROUNDING * limit;
+        times.linear(now, u, on.accel, &[limit, -limit], slack);
+        let mine = self.frame_piece();
+        for pressing in self.beside.iter().filter(|b| b.contact.is_some()) {
+            let w = pressing.piece().velocity(now) - mine.velocity(now);
+            let a = pressing.piece().accel - mine.accel;
+            let [c, b] = [u * u - w.dot(w), 2.0 * (u * on.accel - w.dot(a))];
+            times.quadratic(now, c, b, on.accel * on.accel - a.dot(a));
         }
     }
 
@@ -481,13 +525,13 @@ impl Body {
             return false;
         };
         let ahead = on.track.tangent.dot(direction);
-        let bounds = self.bounds(on.segment, &on.track, terrain);
+        let bounds = self.bounds(on.segment, &on.track, self.time, terrain);
         bounds.iter().any(|b| b.side * ahead > 0.0)
     }
 
     /// At a joint, pressed: whether the contacts leave a speed along the next surface that leads away from the joint.
     pub(super) fn squeezes(&self, onward: &Onward, speed: f64, terrain: &Terrain) -> Option<f64> {
-        let bounds = self.bounds(onward.segment, &onward.track, terrain);
+        let bounds = self.bounds(onward.segment, &onward.track, self.time, terrain);
         match allowed(&bounds, onward.sign * speed) {
             Verdict::Speed(u) if u * onward.sign >= 0.0 => Some(u),
             _ => None,

@@ -103,7 +103,7 @@ impl Body {
         let mesh = self.ground(terrain);
         let stays = |m: &Meeting| {
             (
-                m.struck && !self.climbs_off(&m.track, 0.0, terrain.tuning),
+                m.struck && !self.climbs_off(&m.track, &self.now(), terrain.tuning),
                 m.rank(),
             )
         };

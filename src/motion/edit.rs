@@ -255,7 +255,7 @@ impl Body {
             Some(Sector::Solid(..)) => (rim, true),
             None => (rim, false),
         };
-        self.rising = false;
+        self.rise = None;
         self.fly(at, v, face, [segment, None]);
         let first = trace.events.len();
         if !self.is_free_beside(terrain) {

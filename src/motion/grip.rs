@@ -92,7 +92,7 @@ impl Body {
         if let Mode::Surface(on) = &mut self.mode {
             on.grip = grip;
         }
-        self.rising = false;
+        self.rise = None;
         self.log(kind, trace);
     }
 

@@ -1,7 +1,8 @@
 //! Rest where a walker is driven back from either side: between belts that meet, at the bottom of a valley, at the end of the
 //! ground where the stick wants him back. Without it he would swing about that vertex, ever faster.
 
-use super::body::{Body, Mode, Size, Trace};
+use super::body::{Body, Mode, Size, Surface, Trace};
+use super::change::settled;
 use super::footing::Footing;
 use super::joint::{Joint, Onward};
 use super::law;
@@ -27,7 +28,9 @@ impl Body {
         });
         let is_held = match self.ground_ahead(&joint, onward.as_ref(), terrain) {
             Some(ground) => self.is_held(&joint, &ground, terrain),
-            None if joint.is_end(onward.as_ref()) => self.is_brought_back(&joint, terrain),
+            None if joint.is_end(onward.as_ref()) => {
+                self.is_brought_back(&joint, self.time, terrain)
+            }
             None => return self.step_up(&joint, terrain, trace),
         };
         if let Mode::Surface(on) = &mut self.mode
@@ -37,6 +40,25 @@ impl Body {
             on.against = 0.0;
         }
         false
+    }
+
+    /// Whether one who stands at the end of the ground, driven over it, would be brought back at a time; `None` if that is not what
+    /// keeps him.
+    pub(super) fn keeps_at_end(&self, on: &Surface, at: f64, terrain: &Terrain) -> Option<bool> {
+        if on.against == 0.0 || on.u0 != 0.0 || on.accel != 0.0 {
+            return None;
+        }
+        let mesh = self.ground(terrain);
+        let joint = Joint::ahead(on, on.against, 0.0, mesh);
+        let onward = joint.next.and_then(|next| {
+            let segment = segment_at(mesh, next, |_| false)?;
+            Some(joint.onto(mesh, next, segment))
+        });
+        let goes_on = self
+            .ground_ahead(&joint, onward.as_ref(), terrain)
+            .is_some();
+        let ends = !goes_on && joint.is_end(onward.as_ref());
+        ends.then(|| self.is_brought_back(&joint, at, terrain))
     }
 
     /// Whether a walker comes to rest at a joint because the ground drives him back to it from either side: belts that meet,
@@ -62,14 +84,19 @@ impl Body {
     /// Whether one who leaves the ground here is back at once: he is so slow that the stick brings him back through the air in
     /// less than the width of a joint; or a belt carries him off while he holds up, and he climbs again what he has just
     /// climbed. At the end of the ground he stops then; at a bend he stays on the ground.
-    pub(super) fn is_brought_back(&self, joint: &Joint, terrain: &Terrain) -> bool {
+    pub(super) fn is_brought_back(&self, joint: &Joint, at: f64, terrain: &Terrain) -> bool {
         let (t, forward) = (terrain.tuning, joint.forward());
         let ground = Footing::under(joint.segment, &joint.track, self.ground(terrain), terrain);
         let crouched = self.size == Size::Crouch;
         let push = forward * ground.law(0.0, &self.control, crouched, t).accel;
         // The stick and the drag of the air count in the level, whatever carries him.
         let frame = self.frame_piece();
-        let x = forward * joint.speed + frame.velocity(self.time).x;
+        let x = forward * joint.speed + frame.velocity(at).x;
+        let x = settled(
+            x,
+            &law::marks_of_steering(&self.control, t),
+            frame.rounding(at),
+        );
         let back = forward * (law::steer(x, &self.control, t).accel - frame.accel.x);
         let wishes = self.control.run * forward < 0.0 || self.frame.is_some();
         let width = f64::from(JOINT_STEPS) * STEP;

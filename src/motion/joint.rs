@@ -188,7 +188,9 @@ impl Body {
         }
         let bump = onward.as_ref().is_some_and(|on| is_bump(&joint, on, mesh));
         match onward {
-            _ if joint.is_end(onward.as_ref()) && self.is_brought_back(&joint, terrain) => {
+            _ if joint.is_end(onward.as_ref())
+                && self.is_brought_back(&joint, self.time, terrain) =>
+            {
                 self.stop(&joint, onward.as_ref(), trace, mesh);
             }
             Some(on) if !on.towards => self.leave_or_snap(joint, Some(&on), terrain, trace),
@@ -266,7 +268,7 @@ impl Body {
         }
         let hops = !on.towards && !straight;
         let hops = hops && !joint.holds(edge, &on, mesh, t);
-        if hops && !self.is_brought_back(&joint, terrain) {
+        if hops && !self.is_brought_back(&joint, self.time, terrain) {
             self.leave(joint, Some(on.edge), terrain, trace);
             return false;
         }
@@ -397,7 +399,8 @@ impl Body {
         let into = joint.lost(kept);
         let u = on.sign * kept;
         let (sinks, goes_down) = (joint.before.1 < 0, on.after.1 < 0);
-        let lasts = kept > 0.0 || !self.pulled_off(&on.track, 0.0, terrain);
+        let lasts =
+            kept > 0.0 || !self.pulled_off(&on.track, &self.moment(&on.track, 0.0), terrain);
         if mesh.walkable(on.segment) {
             // Who is driven against the slope that he comes down on stands at its foot: else each return would set him off again.
             let crouched = self.size == Size::Crouch;

@@ -14,10 +14,12 @@
 
 use super::beside::Beside;
 use super::body::{Air, Body, EventKind, Mode, Next, Trace};
+use super::change::{Moment, Times};
 use super::grip::Grip;
 use super::joint::{Joint, Onward};
 use super::law::Law;
 use super::mover::Piece;
+use super::roots::exit;
 use super::terrain::{Ground, Region, Terrain};
 use super::track::{Track, delta};
 use super::vertex::{segment_at, spokes};
@@ -43,6 +45,9 @@ pub enum Reach {
     /// Not before the control changes or the place is another one, apart from the ground: the climb that was wished for has led to it.
     Landed,
 }
+
+/// So far off ground that one has come off, he is apart from it, m.
+const APART: f64 = STEP;
 
 /// How a body takes hold.
 enum Hold {
@@ -96,7 +101,7 @@ impl Body {
         })
     }
 
-    fn on_ladder(&self, terrain: &Terrain) -> bool {
+    pub(super) fn on_ladder(&self, terrain: &Terrain) -> bool {
         self.ladder_here(terrain).is_some()
     }
 
@@ -264,7 +269,7 @@ impl Body {
             air.through = through.filter(|_| matches!(hold, Hold::Below(_) | Hold::Down(_)));
         }
         (self.climbing, self.ladder) = (true, ladder);
-        (self.rising, self.coyote_from, self.off_wall) = (false, None, None);
+        (self.rise, self.coyote_from, self.off_wall) = (None, None, None);
         self.log(EventKind::Climbed, trace);
         self.go_home(terrain);
     }
@@ -286,7 +291,7 @@ impl Body {
     /// it would be landed on again, ever sooner, if he took hold of the ladder as soon as it is gone.
     fn is_by_ground(&self, terrain: &Terrain) -> bool {
         let near = |mesh: Ground, s: SegmentId, p: DVec2| {
-            mesh.walkable(s) && mesh.track(s).height(p, p, p).0.abs() <= STEP
+            mesh.walkable(s) && mesh.track(s).height(p, p, p).0.abs() < APART * (1.0 - 1e-9)
         };
         let beside = self.beside.iter().any(|b| {
             let (mesh, (q, _)) = (b.ground(self.size, terrain), self.seen_from(b));
@@ -294,6 +299,22 @@ impl Body {
             touching.any(|s| near(mesh, s, q))
         });
         self.supported() || beside
+    }
+
+    /// When one who has come off ground is apart from it.
+    pub(super) fn apart_from_ground(&self, terrain: &Terrain) -> Option<f64> {
+        let apart = |b: &Beside, s: SegmentId| {
+            let mesh = b.ground(self.size, terrain);
+            let air = &b.flight;
+            let (c, b, e) = mesh.track(s).height(air.p0, air.v0, air.accel);
+            let at = exit(APART - c, -b, -e, air.since).map(|dt| air.t0 + dt);
+            at.filter(|&at| mesh.walkable(s) && at > self.time)
+        };
+        let touched = self.beside.iter().flat_map(|b| {
+            let touching = b.flight.touching.into_iter().flatten();
+            touching.filter_map(move |s| apart(b, s))
+        });
+        touched.max_by(f64::total_cmp)
     }
 
     /// Holds on no longer: in the air, or sliding, from here on.
@@ -367,13 +388,56 @@ impl Body {
     }
 
     /// Whether one who climbs along something is driven away from it, by more than rounding makes of a drive along it.
-    pub(super) fn climbs_off(&self, track: &Track, speed: f64, t: &Motion) -> bool {
-        let goal = self.climb_goal(self.time, t);
-        let rounding = ROUNDING * (goal.length() + speed.abs());
-        let v = self.velocity() - self.piece_of(self.ladder).velocity(self.time);
-        let drive = self.climb_accel(v, t) - self.drift().accel;
+    pub(super) fn climbs_off(&self, track: &Track, moment: &Moment, t: &Motion) -> bool {
+        let moment = self.as_ladder_sees(moment);
+        let goal = self.climb_wish() * t.climb_speed - moment.carried;
+        let speed = track.tangent.dot(moment.v - moment.carried).abs();
+        let rounding = ROUNDING * (goal.length() + speed);
+        let drive = self.climb_accel(moment.v, t) - moment.follows;
         let carried = self.carrier() != self.ladder;
         track.normal.dot(goal) > rounding && (!carried || track.normal.dot(drive) > 0.0)
+    }
+
+    /// A moment in the world, in the frame of the ladder.
+    fn as_ladder_sees(&self, moment: &Moment) -> Moment {
+        let (drift, ladder) = (self.drift(), self.piece_of(self.ladder));
+        Moment {
+            v: moment.v - ladder.velocity(moment.at),
+            carried: drift.velocity(moment.at),
+            follows: drift.accel,
+            ..*moment
+        }
+    }
+
+    /// When [`Body::climbs_off`] may change, for a velocity in the world that grows at `rate`: where the wish leads along the
+    /// surface as it moves, and where the drive towards it has just the acceleration of that across it.
+    pub(super) fn climbing_times(
+        &self,
+        times: &mut Times,
+        normal: DVec2,
+        moment: &Moment,
+        rate: DVec2,
+        t: &Motion,
+    ) {
+        let moment = self.as_ladder_sees(moment);
+        let rate = rate - self.piece_of(self.ladder).accel;
+        let (now, wish) = (moment.at, self.climb_wish() * t.climb_speed);
+        let leads = normal.dot(wish - moment.carried);
+        let rounding = moment.rounding + ROUNDING * (wish - moment.carried).length();
+        let drawn = -normal.dot(moment.follows);
+        times.linear(now, leads, drawn, &[0.0], rounding);
+        times.departs(now, leads, drawn, rounding);
+        let (miss, force) = (wish - moment.v, normal.dot(moment.follows));
+        let square = |a: DVec2, b: DVec2| {
+            let across = normal.dot(a) * normal.dot(b);
+            t.climb_accel * t.climb_accel * across - force * force * a.dot(b)
+        };
+        let [c, b, a] = [
+            square(miss, miss),
+            -2.0 * square(miss, rate),
+            square(rate, rate),
+        ];
+        times.quadratic(now, c, b, a);
     }
 
     /// The velocity that one who climbs wishes for, as what carries him at a time sees it: it counts in the frame of the ladder.

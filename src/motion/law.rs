@@ -102,6 +102,55 @@ pub fn steer(speed: f64, control: &Control, t: &Motion) -> Law {
     )
 }
 
+/// The speeds at which [`steer`] changes.
+pub(super) fn marks_of_steering(control: &Control, t: &Motion) -> [f64; 2] {
+    [0.0, control.run * t.run_speed]
+}
+
+/// The speeds at which [`fall`] changes.
+pub(super) fn marks_of_fall(control: &Control, t: &Motion) -> [f64; 4] {
+    let terminal = match control.down {
+        true => t.fast_fall_speed,
+        false => t.fall_speed,
+    };
+    [-terminal, t.apex_speed, -t.apex_speed, 0.0]
+}
+
+/// How a rise that was let go of is braked.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Cut {
+    /// From this speed on, m/s.
+    pub(super) from: f64,
+    /// Down to this one, m/s.
+    pub(super) to: f64,
+    /// The deceleration, m/s^2.
+    pub(super) brake: f64,
+}
+
+/// [`fall`], or a rise that is let go of.
+pub(super) fn rise_or_fall(speed: f64, cut: Option<Cut>, control: &Control, t: &Motion) -> Law {
+    let law = fall(speed, control, t);
+    let Some(cut) = cut else {
+        return law;
+    };
+    let above = |mark: f64| speed - mark > ROUNDING * mark.abs();
+    match (above(cut.from), above(cut.to)) {
+        (true, _) if law.until.is_none_or(|until| until < cut.from) => Law {
+            until: Some(cut.from),
+            ..law
+        },
+        (false, true) if cut.brake > -law.accel => Law {
+            accel: -cut.brake,
+            until: Some(cut.to),
+        },
+        (false, true) if law.until.is_none_or(|until| until < cut.to) => Law {
+            until: Some(cut.to),
+            ..law
+        },
+        _ => law,
+    }
+}
+
 /// Up and down in the air: gravity, the band of reduced gravity about the apex of a held jump, the fast fall, the
 /// terminal speed. Speeds count upwards.
 pub fn fall(speed: f64, control: &Control, t: &Motion) -> Law {

@@ -9,8 +9,8 @@
 //! In reading order: [`terrain`] and [`mover`] (in what?), [`roots`] (when?), [`track`] (along what?), [`vertex`] (what
 //! next?), [`law`] and [`footing`] (how fast?), [`body`] (the state), `spawn`, [`event`] (what happens to it), `step` (the
 //! sequence of events) with `air`, `corner`, `surface`, `joint`, `curve`, `held`, `snap`, `stair`, `one_way`, `region`, `ladder`,
-//! `mount` and `size`; [`wall`], [`grip`], [`ledge`] and `correct` (at walls); `beside` (the places in all other frames),
-//! `paths`, `ride`, `contact`, `push` and `at_once` (what moving solids do); [`Anchor`] (edits under a body), `opening` (when is a
+//! `mount` and `size`; [`rise`] (of a jump); [`wall`], [`grip`], [`ledge`] and `correct` (at walls); `change` (what holds a body no
+//! longer); `beside` (the places in all other frames), `paths`, `ride`, `contact`, `push` and `at_once` (what moving solids do); [`Anchor`] (edits under a body), `opening` (when is a
 //! place free?), [`check`] (the invariants), [`vet`] (what comes from outside).
 //!
 //! What is absent: swimming, and solids that rotate. Bodies do not meet each other.
@@ -19,6 +19,7 @@ mod air;
 mod at_once;
 mod beside;
 pub mod body;
+mod change;
 pub mod check;
 mod contact;
 mod corner;
@@ -41,6 +42,7 @@ mod paths;
 mod push;
 mod region;
 mod ride;
+pub mod rise;
 pub mod roots;
 mod size;
 mod snap;

@@ -99,6 +99,19 @@ impl Path {
         }
     }
 
+    /// The highest speed on it, m/s: infinite if its last piece speeds up for ever.
+    pub fn fastest(&self) -> f64 {
+        let ends = self.pieces.iter().skip(1).map(|p| Some(p.t0));
+        let last = self.pieces.first().and(self.period);
+        let speed = |(piece, end): (&Piece, Option<f64>)| match end {
+            Some(end) => piece.v0.length().max(piece.velocity(end).length()),
+            None if piece.accel == DVec2::ZERO => piece.v0.length(),
+            None => f64::INFINITY,
+        };
+        let speeds = self.pieces.iter().zip(ends.chain([last])).map(speed);
+        speeds.fold(0.0, f64::max)
+    }
+
     /// When the next piece starts, strictly after a time.
     pub fn next_node(&self, t: f64, start: Option<f64>) -> Option<f64> {
         let start = start?;

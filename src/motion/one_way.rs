@@ -39,7 +39,7 @@ impl Body {
         if let Mode::Air(air) = &mut self.mode {
             air.through = Some(through);
         }
-        (self.rising, self.coyote_from, self.pressed_at) = (false, None, None);
+        (self.rise, self.coyote_from, self.pressed_at) = (None, None, None);
         self.reach = Reach::Anew;
         self.log(EventKind::Dropped, trace);
         true

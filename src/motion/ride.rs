@@ -5,10 +5,10 @@
 
 use super::beside::Beside;
 use super::body::{Air, Body, EventKind, Mode, Surface, Trace};
+use super::change::{Moment, flight};
 use super::grip::Grip;
 use super::joint::Joint;
 use super::ladder::Reach;
-use super::law;
 use super::mover::{Piece, Ride};
 use super::terrain::{Ground, Terrain};
 use super::vertex::{Bearing, JOINT_STEPS, Sector, sector, segment_at, spokes};
@@ -134,16 +134,27 @@ impl Body {
     /// Whether ground with this normal and acceleration falls away faster than the body would. In flight the laws of the fall and
     /// of the stick hold, so those must lead away too, lest the body comes back at once.
     pub(super) fn drops_from(&self, normal: DVec2, accel: DVec2, t: &Motion) -> bool {
-        let flight = self.flight_accel(t);
+        self.drops_at(normal, accel, &self.now(), t)
+    }
+
+    /// The same at a moment.
+    pub(super) fn drops_at(
+        &self,
+        normal: DVec2,
+        accel: DVec2,
+        moment: &Moment,
+        t: &Motion,
+    ) -> bool {
+        let (x, y) = flight(self, moment, t);
+        let flight = DVec2::new(x.accel, y.accel);
         let away = |x: f64, y: f64| normal.dot(DVec2::new(x, y) - accel) > 0.0;
         away(0.0, -t.gravity) && away(0.0, flight.y) && away(flight.x, flight.y)
     }
 
     /// The acceleration that the body would have in the air, m/s^2.
     pub(super) fn flight_accel(&self, t: &Motion) -> DVec2 {
-        let v = self.velocity();
-        let steers = law::steer(v.x, &self.control, t).accel;
-        DVec2::new(steers, law::fall(v.y, &self.control, t).accel)
+        let (x, y) = flight(self, &self.now(), t);
+        DVec2::new(x.accel, y.accel)
     }
 
     /// The motion of what carries the body: rest for the level.
@@ -192,7 +203,7 @@ impl Body {
         self.mode = Mode::Surface(surface);
         self.keep_to_edge(terrain);
         if self.supported() {
-            (self.rising, self.coyote_from) = (false, None);
+            (self.rise, self.coyote_from) = (None, None);
             if std::mem::take(&mut self.climbing) {
                 self.reach = Reach::Landed;
             }

@@ -193,6 +193,11 @@ impl Body {
         }
     }
 
+    /// Whether the body would have another size if there were room.
+    pub(super) fn waits_for_room(&self) -> bool {
+        self.wished_size() != self.size
+    }
+
     /// Down means crouch on the ground; in the air it only keeps a body crouched. A climb onto a ledge is ended as it was begun.
     fn wished_size(&self) -> Size {
         if matches!(self.mode, Mode::Crushed(_)) || self.grip() == Grip::Over {
@@ -287,24 +292,34 @@ impl Body {
         let until = next.map_or(f64::INFINITY, |n| n.0);
         let clear = match &self.mode {
             Mode::Surface(on) => self.clear_along(on, terrain),
-            Mode::Air(air) => clear_in_flight(air, self.time, until, terrain.ground(Size::Stand))
-                .map(|at| {
-                    // Where only rounding tells that place from here, what is here in the way is there in the way too.
-                    let way = air.way(self.time - air.t0, at - air.t0);
-                    match at > self.time && way > self.rounding() {
-                        true => (at, None),
-                        false => (air.a_step_on(self.time), None),
-                    }
-                }),
+            Mode::Air(air) => self.clear_of_solids(air, until, terrain).map(|at| {
+                // Where only rounding tells that place from here, what is here in the way is there in the way too.
+                let way = air.way(self.time - air.t0, at - air.t0);
+                match at > self.time && way > self.rounding() {
+                    true => (at, None),
+                    false => (air.a_step_on(self.time), None),
+                }
+            }),
             Mode::Wedge(_) | Mode::Crushed(_) => None,
         };
         // Where other frames are in the way, room in its own is not enough.
         let clear = clear.filter(|&(at, _)| at > self.time || self.beside.is_empty());
-        let clear = clear.or_else(|| self.clear_beside(until, terrain).map(|at| (at, None)));
+        let beside = self.clear_beside(until, terrain).map(|at| (at, None));
+        let clear = clear.into_iter().chain(beside);
         clear
+            .min_by(|a, b| a.0.total_cmp(&b.0))
             .filter(|&(at, _)| at < until)
             .map(|(at, parameter)| (at, Next::Clear(parameter)))
             .or(next)
+    }
+
+    /// When a flight comes out of what is in the way of the standing body. Along a wall that it touches it is on the free side.
+    fn clear_of_solids(&self, air: &Air, until: f64, terrain: &Terrain) -> Option<f64> {
+        let mesh = self.ground(terrain);
+        let normals = air.touching.iter().flatten();
+        let normals = normals.map(|&s| mesh.track(s).normal);
+        let aside = normals.sum::<DVec2>() * (STEP / 16.0);
+        clear_in_flight(air, aside, self.time, until, terrain.ground(Size::Stand))
     }
 
     /// At the place where there is room: exactly there, whatever rounding has made of the parameter.
@@ -341,7 +356,7 @@ impl Body {
 
 impl Air {
     /// When the body has moved by about a step: what did not decide here may do so there.
-    fn a_step_on(&self, now: f64) -> f64 {
+    pub(super) fn a_step_on(&self, now: f64) -> f64 {
         let speed = self.velocity(now).length() + (self.accel.length() * STEP).sqrt();
         now + STEP / speed
     }
@@ -358,14 +373,30 @@ impl Air {
     }
 }
 
-/// When a parabola comes out of the solids of a mesh: a walk through its solid faces. Not after `until`.
-pub(super) fn clear_in_flight(air: &Air, now: f64, until: f64, mesh: Ground) -> Option<f64> {
-    let Place::Face(face) = mesh.locate(air.position(now), None)? else {
-        return None;
-    };
+/// When a parabola comes out of the solids of a mesh: a walk through its solid faces, so far aside of it. Not after `until`.
+pub(super) fn clear_in_flight(
+    air: &Air,
+    aside: DVec2,
+    now: f64,
+    until: f64,
+    mesh: Ground,
+) -> Option<f64> {
+    // Exactly on an edge the face ahead of it counts.
+    let ahead = now + (air.a_step_on(now) - now) / 16.0;
+    let found = [now, ahead].into_iter().find_map(|from| {
+        match mesh.locate(air.position(from) + aside, None)? {
+            Place::Face(face) => Some((face, from)),
+            _ => None,
+        }
+    });
+    let (face, from) = found?;
+    if !mesh.is_solid(face) {
+        return Some(from);
+    }
     let mut way = Air {
         face,
-        since: now - air.t0,
+        since: from - air.t0,
+        p0: air.p0 + aside,
         ..air.clone()
     };
     while way.t0 + way.since < until {
@@ -373,7 +404,7 @@ pub(super) fn clear_in_flight(air: &Air, now: f64, until: f64, mesh: Ground) -> 
         let out = mesh.sym(e);
         way.face = mesh.left(out)?;
         if !mesh.is_solid(way.face) {
-            return Some(way.t0 + way.comes_out(mesh, out, at));
+            return Some(way.t0 + air.comes_out(mesh, out, at));
         }
         way.since = at;
     }

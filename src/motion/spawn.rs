@@ -57,7 +57,8 @@ impl Body {
             Size::Crouch => put(Size::Crouch),
         }?;
         (body.control, body.pressed_at) = (self.control, self.pressed_at);
-        (body.rising, body.coyote_from) = (self.rising, self.coyote_from);
+        (body.rise, body.released_at) = (self.rise, self.released_at);
+        body.coyote_from = self.coyote_from;
         (body.climbing, body.reach) = (self.climbing, self.reach);
         if let Mode::Air(air) = &mut body.mode {
             air.v0 = self.velocity();
@@ -107,7 +108,8 @@ impl Body {
             anew_at: None,
             faces: 0.0,
             reach: Reach::Open,
-            rising: false,
+            released_at: None,
+            rise: None,
             rides: None,
             next: None,
         }

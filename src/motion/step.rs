@@ -56,7 +56,10 @@ impl Body {
             self.faces = run.signum();
         }
         if control.jump && !before.jump {
-            self.pressed_at = Some(self.time);
+            (self.pressed_at, self.released_at) = (Some(self.time), None);
+        }
+        if !control.jump && before.jump {
+            self.released_at = Some(self.time);
         }
         let anew = control.up && !before.up || control.down && !before.down;
         if anew || self.reach == Reach::Landed {
@@ -67,7 +70,7 @@ impl Body {
         }
         self.rebase();
         if !control.jump && before.jump {
-            self.cut_jump(terrain);
+            self.cut_jump();
         }
         self.refresh(terrain, trace);
     }
@@ -125,6 +128,8 @@ impl Body {
             Next::Grab(parameter) => self.grab(parameter, trace),
             Next::Mount => self.come_to_ground(terrain, trace),
             Next::Node => self.ride_on(terrain, trace),
+            Next::Change => self.change(trace),
+            Next::Cut => self.come_to_cut(trace),
             Next::Beside(i) => return self.handle_beside(i as usize, terrain, trace),
         }
         self.refresh(terrain, trace);
@@ -150,6 +155,14 @@ impl Body {
         if !self.beside.is_empty() {
             self.go_home(terrain);
             self.press_speed(terrain, trace);
+        }
+        // Off what he was on, or held on to, one may take hold of a ladder that he could not from there.
+        if !self.regions.is_empty() && !self.supported() {
+            let climbs = (self.climbing, self.ladder);
+            self.mind_ladders(terrain, trace);
+            if (self.climbing, self.ladder) != climbs {
+                self.comes_off(terrain, trace);
+            }
         }
         self.choose_law(terrain);
         if self.press_on(terrain, trace) {
@@ -254,7 +267,7 @@ impl Body {
         let mesh = self.ground(terrain);
         let (p, mut v) = (self.local_position(), self.local_velocity());
         v.y = v.y.max(0.0) + t.jump_speed;
-        v += self.remembered(terrain);
+        v = self.leap(v, 0.0, terrain);
         // In a corner the wall takes up what goes into it: its piece there may have been displaced, and tell nothing.
         let wall = self.wall_beside(mesh);
         let [first, second] = self.left_behind(terrain);
@@ -268,34 +281,12 @@ impl Body {
         }
         let (face, touching) = (self.face_ahead(v, mesh), [first, wall.or(second)]);
         self.fly(p, v, face, touching);
-        if std::mem::take(&mut self.climbing) {
+        // What is held takes hold of a ladder here, or again, only when the jump is over.
+        if std::mem::take(&mut self.climbing) || self.on_ladder(terrain) {
             self.reach = Reach::AfterApex;
         }
         self.log(EventKind::Jumped, trace);
         self.rise(terrain);
-    }
-
-    /// In the rise of a jump that has just begun.
-    pub(super) fn rise(&mut self, terrain: &Terrain) {
-        (self.pressed_at, self.coyote_from, self.off_wall) = (None, None, None);
-        // A buffered jump whose key is up again is cut at once: the lowest hop.
-        self.rising = true;
-        if !self.control.jump {
-            self.cut_jump(terrain);
-        }
-    }
-
-    /// The key is let go: what remains of the rise.
-    fn cut_jump(&mut self, terrain: &Terrain) {
-        let cut = terrain.tuning.jump_cut_speed;
-        match &mut self.mode {
-            Mode::Air(air) if self.rising => air.v0.y = air.v0.y.min(cut),
-            Mode::Surface(on) if self.rising && on.track.tangent.y * on.u0 > cut => {
-                on.u0 = cut / on.track.tangent.y
-            }
-            _ => {}
-        }
-        self.rising = false;
     }
 
     /// Chooses the constant accelerations of the piece that starts now, and when they stop to hold.
@@ -306,6 +297,7 @@ impl Body {
         }
         let turns = self.reach == Reach::AfterApex;
         let slows = self.is_slowed_by_wall(terrain);
+        let cut = self.braked_rise(t);
         let (mesh, crouched) = (self.ground(terrain), self.size == Size::Crouch);
         let carried = self.frame_accel();
         let limit = |from: f64, law: law::Law, speed: f64| {
@@ -320,7 +312,10 @@ impl Body {
                 if steer(air.v0.x).turns_at_once(air.v0.x, air.t0) {
                     air.v0.x = 0.0;
                 }
-                let (x, fall) = (steer(air.v0.x), law::fall(air.v0.y, &control, t));
+                let (x, fall) = (
+                    steer(air.v0.x),
+                    law::rise_or_fall(air.v0.y, cut, &control, t),
+                );
                 let y = if turns {
                     fall.up_to_turn(air.v0.y)
                 } else {
@@ -338,7 +333,7 @@ impl Body {
                 on.limit = limit(on.t0, law, on.u0 * x).map(|(at, until)| (at, until * x));
             }
             Mode::Surface(on) => match on.grip {
-                Grip::None => on.choose_slide(&control, slows, carried, t),
+                Grip::None => on.choose_slide(&control, slows, cut, carried, t),
                 _ => on.choose_climb(&control, t),
             },
             Mode::Wedge(_) | Mode::Crushed(_) => {}
@@ -365,6 +360,8 @@ impl Body {
     /// Finds the next event.
     pub(super) fn schedule(&mut self, terrain: &Terrain) {
         let mesh = self.ground(terrain);
+        // What comes next in other frames is asked of the motion that begins now.
+        self.follow(terrain);
         let found = match &self.mode {
             Mode::Air(air) => air.next(mesh),
             Mode::Surface(on) => on.next(mesh),
@@ -376,12 +373,13 @@ impl Body {
             Some(mount) => self.sooner_if_mounts(&mount, found),
             None => found,
         };
+        let found = self.sooner_if_cut(found);
         let own = self
             .sooner_if_unlocked(found)
             .map(|(at, what)| (at.max(self.time), what));
         self.next = match self.beside.is_empty() {
             true => own,
-            false => self.first_of_all(own, terrain),
+            false => self.first_of_all(self.sooner_if_changes(own, terrain), terrain),
         };
     }
 

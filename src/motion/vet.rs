@@ -58,8 +58,9 @@ fn numbers(body: &Body) -> Vec<f64> {
         Mode::Wedge(wedge) => add(&wedge.at.to_array()),
         Mode::Crushed(crushed) => add(&crushed.at.to_array()),
     }
-    let timers = [body.pressed_at, body.coyote_from];
+    let timers = [body.pressed_at, body.released_at, body.coyote_from];
     timers.into_iter().flatten().for_each(|t| add(&[t]));
+    body.rise.iter().for_each(|rise| add(&rise.numbers()));
     body.lift.iter().for_each(|(at, v)| add(&[*at, v.x, v.y]));
     body.off_wall.iter().for_each(|w| add(&[w.at, w.away]));
     body.next.iter().for_each(|n| add(&[n.0]));

@@ -3,7 +3,7 @@
 
 use super::body::{Body, Control, EventKind, Mode, Next, Surface, Trace};
 use super::grip::Grip;
-use super::law::{self, Law};
+use super::law::{self, Cut, Law};
 use super::terrain::Terrain;
 use super::track::walkable;
 use crate::mesh::Segment;
@@ -99,7 +99,7 @@ impl Body {
             // Without wall jumps, one who holds on can still hop off.
             (false, _) => DVec2::new(away, 1.0) * (0.5 * t.jump_speed),
         };
-        let (p, v) = (self.local_position(), leap);
+        let (p, v) = (self.local_position(), self.leap(leap, away, terrain));
         let face = self.face(&self.ground(terrain));
         self.fly(p, v, face, touching);
         if let (true, Mode::Air(air)) = (t.wall_jump_lock > 0.0, &mut self.mode) {
@@ -132,19 +132,22 @@ impl Body {
 
 impl Surface {
     /// The acceleration of a slide along what is too steep, and the speed at which it changes. `slows`: against a wall that
-    /// brakes a fall down to the speed of a wall slide. `carried`: the acceleration of what carries the body.
+    /// brakes a fall down to the speed of a wall slide. `cut`: how its rise is braked. `carried`: the acceleration of what carries
+    /// the body.
     pub(super) fn choose_slide(
         &mut self,
         control: &Control,
         slows: bool,
+        cut: Option<Cut>,
         carried: DVec2,
         t: &Motion,
     ) {
         let DVec2 { x: run, y: climb } = self.track.tangent;
-        let fall = law::fall(self.u0 * climb, control, t);
+        let fall = law::rise_or_fall(self.u0 * climb, cut, control, t);
         let slowest = -climb.signum() * t.wall_slide_speed;
         let excess = (self.u0 - slowest) * slowest.signum();
-        let sinks = fall.accel * climb * slowest > 0.0;
+        let drift = -self.track.tangent.dot(carried);
+        let sinks = (fall.accel * climb + drift) * slowest > 0.0;
         if slows && (excess > 0.0 || excess == 0.0 && sinks) {
             let brake = Law::towards(self.u0, slowest, t.wall_slide_brake);
             self.accel = brake.accel;
@@ -152,7 +155,14 @@ impl Surface {
             self.limit = self.limit.map(|(until, left)| (self.t0 + left, until));
             return;
         }
-        self.accel = fall.accel * climb - self.track.tangent.dot(carried);
+        if drift != 0.0 {
+            let [a, b, c, d] = law::marks_of_fall(control, t).map(|mark| mark / climb);
+            let slowest = if slows { slowest } else { 0.0 };
+            let fall = |u: f64| law::rise_or_fall(u * climb, cut, control, t).accel * climb;
+            let [from, to] = cut.map_or([0.0; 2], |cut| [cut.from / climb, cut.to / climb]);
+            return self.choose_drift(fall, drift, &[a, b, c, d, slowest, from, to]);
+        }
+        self.accel = fall.accel * climb;
         // The speeds at which the fall changes, the slide turns, the push of the stick ends, and the wall begins to brake.
         let marks = [
             fall.until.map(|until| until / climb),

@@ -1,8 +1,10 @@
 //! The invariants that [`check`](edgewalker::motion::check::check) cannot read off a state: those of events, of time, and of
 //! places judged from outside.
 
+use super::dice::Dice;
 use edgewalker::geom::STEP;
 use edgewalker::mesh::{Mesh, Place};
+use edgewalker::motion::check::steady;
 use edgewalker::motion::vertex::JOINT_STEPS;
 use edgewalker::motion::{Body, Event, EventKind, Mode, Terrain, Trace};
 use edgewalker::tune::Motion;
@@ -11,9 +13,40 @@ use glam::DVec2;
 /// So many events in a tick count as endless: those that creep on by a unit in the last place of the time would take hours.
 const ENDLESS: u32 = 1_000_000;
 
-/// A tick, event by event: I4, I6.
-pub fn tick(body: &mut Body, to: f64, terrain: &Terrain, trace: &mut Trace) -> Result<(), String> {
+/// At so many random instants of each piece every condition must be as at its start.
+const INSTANTS: u32 = 16;
+
+/// As much of a piece as is looked at, s.
+const HORIZON: f64 = 2.0;
+
+/// Every condition is asked again inside the piece that has begun.
+pub fn guards(body: &Body, terrain: &Terrain) -> Result<(), String> {
+    let now = body.time();
+    let end = body.next_at().unwrap_or(f64::INFINITY).min(now + HORIZON);
+    // Shorter pieces have no inside, as times are rounded.
+    if end - now < 1e-7 {
+        return Ok(());
+    }
+    let mut dice = Dice::new(now.to_bits());
+    for _ in 0..INSTANTS {
+        let share = 0.001 + 0.998 * dice.unit();
+        steady(body, now + share * (end - now), terrain)?;
+    }
+    Ok(())
+}
+
+/// A tick, event by event: I4, I6, and the guards of each new piece. `anew`: one has begun already.
+pub fn tick(
+    body: &mut Body,
+    to: f64,
+    anew: bool,
+    terrain: &Terrain,
+    trace: &mut Trace,
+) -> Result<(), String> {
     let mut events_left = ENDLESS;
+    if anew {
+        guards(body, terrain)?;
+    }
     while let Some(at) = body.next_at().filter(|&at| at <= to) {
         events_left -= 1;
         if events_left == 0 {
@@ -24,6 +57,9 @@ pub fn tick(body: &mut Body, to: f64, terrain: &Terrain, trace: &mut Trace) -> R
         body.advance(at, terrain, trace);
         let met = trace.touched > touched;
         event(&before, body, met, &trace.events[events..], terrain)?;
+        if trace.events.len() > events || met {
+            guards(body, terrain)?;
+        }
     }
     let promised = body.forecast(to);
     body.advance(to, terrain, trace);
@@ -69,7 +105,7 @@ fn event(
 /// What the rounding of an event's time, half a unit in the last place, makes of a speed: at a limit the speed becomes exactly
 /// the limit, though the acceleration has ended by so much too early. No mode accelerates by more than this.
 fn late(body: &Body) -> f64 {
-    const LARGEST_ACCELERATION: f64 = 400.0;
+    const LARGEST_ACCELERATION: f64 = 1000.0;
     LARGEST_ACCELERATION * f64::EPSILON * body.time()
 }
 

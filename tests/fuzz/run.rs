@@ -5,7 +5,10 @@ use super::invariants::{outside, tick};
 use super::tally::Tally;
 use edgewalker::geom::Point;
 use edgewalker::mesh::FeatureId;
-use edgewalker::motion::{Body, EventKind, Mode, Terrain, Trace, check::check};
+use edgewalker::motion::{
+    Body, EventKind, Mode, Terrain, Trace,
+    check::{check, speed},
+};
 use edgewalker::tune::Motion;
 use glam::DVec2;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -64,14 +67,17 @@ fn ticks(case: &Case, ready: &mut Ready, tally: &mut Tally, n: &mut u64) -> Resu
     while *n < life.ticks && inside(&body) && dead < MOURNING {
         *n += 1;
         trace.clear();
+        let mut anew = *n == 1;
         while let Some((_, edit)) = edits.next_if(|e| e.0 <= *n) {
             change(ready, &world.tuning, &mut body, edit, &mut trace);
+            anew = true;
         }
         let terrain = ready.terrain(&world.tuning);
         while let Some(&(_, control)) = inputs.next_if(|i| i.0 <= *n) {
             body.apply(control, &terrain, &mut trace);
+            anew = true;
         }
-        if let Err(what) = checked(&mut body, time(*n), &terrain, &mut trace) {
+        if let Err(what) = checked(&mut body, time(*n), anew, &terrain, &mut trace) {
             let last: Vec<_> = trace.events.iter().rev().take(8).rev().collect();
             return Err(format!("{what}\n    after {last:?}\n    {body:?}"));
         }
@@ -98,12 +104,19 @@ fn set_out(ready: &mut Ready, tuning: &Motion, body: &mut Body, trace: &mut Trac
 }
 
 /// A tick, and every invariant after it.
-fn checked(body: &mut Body, to: f64, terrain: &Terrain, trace: &mut Trace) -> Result<(), String> {
-    tick(body, to, terrain, trace)?;
+fn checked(
+    body: &mut Body,
+    to: f64,
+    anew: bool,
+    terrain: &Terrain,
+    trace: &mut Trace,
+) -> Result<(), String> {
+    tick(body, to, anew, terrain, trace)?;
     if trace.events.iter().any(|e| e.kind == EventKind::Stuck) {
         return Err("cycle: the events did not end".into());
     }
     check(body, terrain, trace)?;
+    speed(body, terrain)?;
     outside(body, terrain)
 }
 

@@ -58,7 +58,9 @@ pub struct Body<'a> {
     pub mode: Mode,
     pub pressed_at: Option<Double>,
     pub coyote_from: Option<Double>,
-    pub rising: bool,
+    pub rise: Option<Rise>,
+    /// When jump was let go of, since it was pressed.
+    pub released_at: Option<Double>,
     /// Down has been held on ground, and since then.
     pub crouched: bool,
     /// Why this run cannot be compared from here on.
@@ -71,11 +73,20 @@ pub struct Body<'a> {
     pub events: Vec<(f64, Kind)>,
 }
 
+/// The rise of a jump: its speed at the start, and from when on it is braked.
+#[derive(Clone, Copy, Debug)]
+pub struct Rise {
+    pub speed: Double,
+    pub cut_at: Option<Double>,
+}
+
 /// What ends a piece.
 #[derive(Clone, Copy, Debug)]
 pub enum Next {
     /// A speed is reached: of x and y in the air, or along a side.
     Limit([Option<Double>; 2]),
+    /// A jump pressed and let go of before it began counts as let go of.
+    Cut,
     /// The end of the side, in a direction.
     End(f64),
     /// A side is hit.
@@ -94,7 +105,8 @@ impl<'a> Body<'a> {
             mode: Mode::Air { p, v },
             pressed_at: None,
             coyote_from: None,
-            rising: false,
+            rise: None,
+            released_at: None,
             crouched: false,
             doubt: None,
             doubtful: None,
@@ -145,9 +157,10 @@ impl<'a> Body<'a> {
     pub fn apply(&mut self, control: Control) {
         let before = std::mem::replace(&mut self.control, control);
         if control.jump && !before.jump {
-            self.pressed_at = Some(self.time);
+            (self.pressed_at, self.released_at) = (Some(self.time), None);
         }
         if before.jump && !control.jump {
+            self.released_at = Some(self.time);
             self.cut();
         }
     }
@@ -180,6 +193,7 @@ impl<'a> Body<'a> {
         self.jump_if_asked();
         self.part_if_pulled();
         self.jump_if_asked();
+        self.end_rise();
     }
 
     /// Notes a doubt about the flight up to the next event, and if that is hardly before or after an end of the tick: then the

@@ -300,7 +300,7 @@ impl Body<'_> {
     }
 
     fn rest(&mut self, p: Vector) {
-        self.rising = false;
+        self.rise = None;
         self.mode = Mode::Rest { p };
     }
 

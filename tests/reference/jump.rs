@@ -1,6 +1,6 @@
 //! Coming to a side and off it: landings, jumps with their buffer and coyote time, and what pulls off a steep side.
 
-use super::body::{Body, Kind, Mode};
+use super::body::{Body, Kind, Mode, Rise};
 use super::double::{Double, Vector};
 use super::law;
 
@@ -8,7 +8,7 @@ impl Body<'_> {
     /// Comes to a side: lands on ground, slides along what is too steep.
     pub fn settle(&mut self, side: usize, s: Double, u: Double) {
         if self.walkable(side) {
-            (self.rising, self.coyote_from) = (false, None);
+            (self.rise, self.coyote_from) = (None, None);
             self.log(Kind::Landed);
         }
         let against = 0.0;
@@ -55,26 +55,73 @@ impl Body<'_> {
         let (p, mut v) = (self.position(), self.velocity());
         v.y = v.y.max(Double::ZERO) + t.jump_speed.into();
         self.mode = Mode::Air { p, v };
-        (self.pressed_at, self.coyote_from, self.rising) = (None, None, true);
+        // Pressed and let go of before: held for as long as then.
+        let cut_at = match (self.control.jump, self.released_at) {
+            (false, Some(up)) => Some(self.time + (up - pressed)),
+            _ => None,
+        };
+        self.rise = Some(Rise { speed: v.y, cut_at });
+        (self.pressed_at, self.coyote_from) = (None, None);
         self.log(Kind::Jumped);
-        if !self.control.jump {
-            self.cut();
+    }
+
+    /// The jump key is up: from now on the rise is braked.
+    pub fn cut(&mut self) {
+        if let Some(rise) = &mut self.rise {
+            rise.cut_at.get_or_insert(self.time);
         }
     }
 
-    /// The jump key is up: so much of the rise remains.
-    pub fn cut(&mut self) {
+    /// How long until a jump let go of before it began counts as let go of.
+    pub fn cut_ahead(&self) -> Option<Double> {
+        let left = self.rise?.cut_at? - self.time;
+        (left.sign() > 0.0 && !left.is_tiny()).then_some(left)
+    }
+
+    /// A rise that the brake has done with is over.
+    pub fn end_rise(&mut self) {
+        let is_cut = self.rise.is_some_and(|r| r.cut_at.is_some()) && self.cut_ahead().is_none();
         let cut = Double::from(self.tuning.jump_cut_speed);
-        let rising = std::mem::take(&mut self.rising);
-        match &mut self.mode {
-            Mode::Air { v, .. } if rising => v.y = v.y.min(cut),
-            Mode::On { side, u, .. } if rising => {
-                let climb = self.world.sides[*side].tangent.y;
-                if climb * *u > cut {
-                    *u = cut / climb;
-                }
-            }
-            _ => {}
+        if is_cut && self.velocity().y <= cut {
+            self.rise = None;
+        }
+    }
+
+    /// Up and down in the air, with the brake of a jump that is let go of: a tap is braked from the speed on from which it just
+    /// rises `jump_least`.
+    pub fn fall(&self, speed: Double) -> law::Drive {
+        let t = self.tuning;
+        let drive = law::fall(speed, &self.control, t);
+        let Some(rise) = self
+            .rise
+            .filter(|r| r.cut_at.is_some() && self.cut_ahead().is_none())
+        else {
+            return drive;
+        };
+        let [g, brake, cut] = [t.gravity, t.jump_cut_brake, t.jump_cut_speed].map(Double::from);
+        let above = |mark: Double| speed > mark && !(speed - mark).is_tiny();
+        if brake <= g || rise.speed <= cut || !above(cut) {
+            return drive;
+        }
+        let half = Double::from(0.5);
+        let full = (rise.speed * rise.speed + cut * cut) * half / g;
+        let lost = cut * cut * half / brake + t.jump_least.into();
+        let square = (full - lost) / (half / g - half / brake);
+        let from = if square > cut * cut {
+            square.sqrt()
+        } else {
+            cut
+        };
+        let stop = |drive: law::Drive, mark: Double| law::Drive {
+            until: Some(drive.until.map_or(mark, |until| until.max(mark))),
+            ..drive
+        };
+        match above(from) {
+            true => stop(drive, from),
+            false => law::Drive {
+                accel: -brake,
+                until: Some(cut),
+            },
         }
     }
 
@@ -98,7 +145,7 @@ impl Body<'_> {
         let v = on.tangent * u;
         let (x, y) = (
             law::steer(v.x, &self.control, self.tuning).accel,
-            law::fall(v.y, &self.control, self.tuning).accel,
+            self.fall(v.y).accel,
         );
         let push = if self.control.run == 0.0 {
             Double::ZERO

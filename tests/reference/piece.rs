@@ -11,7 +11,7 @@ impl Body<'_> {
         match self.mode {
             Mode::Air { v, .. } => Vector::new(
                 law::steer(v.x, &self.control, self.tuning).accel,
-                law::fall(v.y, &self.control, self.tuning).accel,
+                self.fall(v.y).accel,
             ),
             Mode::On {
                 side, u, against, ..
@@ -26,7 +26,7 @@ impl Body<'_> {
         let mut drive = if self.walkable(side) {
             law::walk(u, &self.control, self.crouched, self.tuning)
         } else {
-            let fall = law::fall(u * tangent.y, &self.control, self.tuning);
+            let fall = self.fall(u * tangent.y);
             let steep = !tangent.y.is_tiny();
             law::Drive {
                 accel: fall.accel * tangent.y,
@@ -41,13 +41,15 @@ impl Body<'_> {
 
     /// The end of the piece that begins now: how long from now, and what.
     pub fn next(&mut self) -> Option<(Double, Next)> {
+        let motion = self.next_of_motion();
+        first(motion, self.cut_ahead().map(|dt| (dt, Next::Cut)))
+    }
+
+    fn next_of_motion(&mut self) -> Option<(Double, Next)> {
         match self.mode {
             Mode::Air { p, v } => {
                 let accel = self.acceleration();
-                let (x, y) = (
-                    law::steer(v.x, &self.control, self.tuning),
-                    law::fall(v.y, &self.control, self.tuning),
-                );
+                let (x, y) = (law::steer(v.x, &self.control, self.tuning), self.fall(v.y));
                 let lasts = |drive: law::Drive, v: Double| {
                     drive.until.map(|until| ((until - v) / drive.accel, until))
                 };

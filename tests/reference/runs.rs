@@ -101,6 +101,8 @@ fn tuning(dice: &mut Dice) -> Motion {
         gravity: dice.between(20.0, 60.0),
         jump_speed: dice.between(6.0, 18.0),
         jump_cut_speed: dice.between(0.0, 8.0),
+        jump_cut_brake: dice.between(0.0, 1000.0),
+        jump_least: dice.between(0.0, 1.0),
         apex_speed: dice.between(0.0, 4.0),
         apex_gravity: dice.between(0.3, 1.0),
         fall_speed: dice.between(8.0, 30.0),

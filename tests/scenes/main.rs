@@ -2,12 +2,14 @@
 //! list of hard cases; conventions: y up, gravity 30, solids counter-clockwise, P a point, B a box of half-size
 //! (13/32, 29/32) whose reference point is the middle of its foot.
 
+mod braking;
 mod build;
 mod bumps;
 mod degenerate;
 mod edits;
 mod found;
 mod ground;
+mod jumps;
 mod ladder_ends;
 mod ladders;
 mod ledges;
@@ -24,6 +26,7 @@ mod regions;
 mod rides;
 mod rig;
 mod slopes;
+mod squeezes;
 mod stairs;
 mod starts;
 mod stress;

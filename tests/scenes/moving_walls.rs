@@ -45,18 +45,30 @@ fn a_slide_along_a_moving_wall_is_slowed_relative_to_it() {
 }
 
 #[test]
-fn a_jump_from_a_moving_wall_has_all_of_its_velocity() {
-    for velocity in [v(-1.5, 2.0), v(-2.0, -3.0), v(0.0, 4.0)] {
+fn a_jump_from_a_moving_wall_has_all_of_its_velocity_but_a_fall() {
+    for (velocity, choice) in [
+        (v(-1.5, 2.0), 0.0),
+        (v(-2.0, -3.0), 0.0),
+        (v(-2.0, -3.0), 1.0),
+        (v(0.0, 4.0), 0.0),
+        (v(-1.5, 2.0), 2.0),
+    ] {
+        let taken = match choice {
+            0.0 => v(velocity.x, velocity.y.max(0.0)),
+            1.0 => velocity,
+            _ => ZERO,
+        };
         let scene = steering(steady(velocity))
-            .tune(|t| (t.wall_jump_out, t.wall_jump_up, t.wall_slide_speed) = (6.0, 10.0, 6.0));
+            .tune(|t| (t.wall_jump_out, t.wall_jump_up, t.wall_slide_speed) = (6.0, 10.0, 6.0))
+            .tune(|t| t.lift_jump = choice);
         at_every_rate(&scene, |run, rate| {
             run.spawn(-HALF, -4.0).hold(1.0).play(0.5, rate);
             let at = run.at();
             run.hold(0.0).jump(true);
             assert!(has(run, EventKind::WallJumped) && run.airborne());
-            assert_eq!(run.speed(), v(-6.0, 10.0) + velocity);
+            assert_eq!(run.speed(), v(-6.0, 10.0) + taken);
             run.play(1.0, rate);
-            let (x, y) = (-3.0 + 0.5 * velocity.x, 5.0 + 0.5 * velocity.y - 3.75);
+            let (x, y) = (-3.0 + 0.5 * taken.x, 5.0 + 0.5 * taken.y - 3.75);
             run.near(at.x + x, at.y + y, 1e-12);
         });
     }

@@ -2,7 +2,8 @@
 
 use edgewalker::geom::{Collider, Point};
 use edgewalker::motion::{
-    Body, Control, EventKind, Mode, Mover, Path, Region, Size, Terrain, Trace, Traits, check::check,
+    Body, Control, EventKind, Mode, Mover, Path, Region, Size, Terrain, Trace, Traits,
+    check::{check, steady},
 };
 use edgewalker::tune::Motion;
 use glam::DVec2;
@@ -329,6 +330,12 @@ impl Run<'_> {
         let mut step = Trace::default();
         body.advance(to, &self.terrain, &mut step);
         check(body, &self.terrain, &step).unwrap();
+        let end = body.next_at().unwrap_or(f64::INFINITY).min(to + 1.0);
+        if end - to > 1e-9 && !step.events.is_empty() {
+            for part in [0.03, 0.21, 0.37, 0.5, 0.68, 0.83, 0.97] {
+                steady(body, to + part * (end - to), &self.terrain).unwrap();
+            }
+        }
         self.trace.events.extend(step.events);
         self.trace.crossed += step.crossed;
         self.trace.passed += step.passed;
