@@ -3,4 +3,5 @@
 pub mod checker;
 pub mod slow;
 pub mod soups;
+pub mod tangles;
 pub mod worlds;

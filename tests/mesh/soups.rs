@@ -1,10 +1,8 @@
 //! Random soups of segments and polygons: the arrangement and the covers against slow twins, and places.
 
-mod common;
-
-use common::slow::{self, Spot, spot};
-use common::soups::{covers_agree, polygons, segments, small_collider, sound};
-use common::worlds::{Dice, wire};
+use crate::common::slow::{self, Spot, spot};
+use crate::common::soups::{covers_agree, polygons, segments, small_collider, sound};
+use crate::common::worlds::{Dice, wire};
 use edgewalker::geom::{BOUND, Collider, ExpandedEdge, Point};
 use edgewalker::mesh::{FeatureId, Mesh, Place};
 use std::collections::BTreeSet;

@@ -1,11 +1,9 @@
 //! Solids, one-ways and regions in one mesh: what each covers, what each stops, and that edits of all three equal a
 //! rebuild.
 
-mod common;
-
-use common::slow::{self, spot};
-use common::soups::{polygons, segments, small_collider, snapped_outline, sound};
-use common::worlds::{Dice, wire};
+use crate::common::slow::{self, spot};
+use crate::common::soups::{polygons, segments, small_collider, snapped_outline, sound};
+use crate::common::worlds::{Dice, wire};
 use edgewalker::geom::{Collider, ExpandedEdge, Point, expand};
 use edgewalker::mesh::{FeatureId, Kind, Mesh, MeshError};
 

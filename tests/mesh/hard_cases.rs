@@ -1,10 +1,8 @@
 //! The scenes of HARD_CASES.md that are about the mesh alone: 19, 21 and 66.
 
-mod common;
-
-use common::checker;
-use common::soups::{polygons, small_collider, sound};
-use common::worlds::{self, Dice, wire};
+use crate::common::checker;
+use crate::common::soups::{polygons, small_collider, sound};
+use crate::common::worlds::{self, Dice, wire};
 use edgewalker::geom::{
     BOUND, Collider, ExpandedEdge, OutlineError, Point, Source, check_outline, expand,
 };

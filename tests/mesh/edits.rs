@@ -1,10 +1,8 @@
 //! One mesh for one set of features, whatever the order of edits: by hash, and with every invariant checked.
 
-mod common;
-
-use common::checker;
-use common::soups::{covers_agree, polygons, segment, small_collider, sound};
-use common::worlds::{self, Dice, wire};
+use crate::common::checker;
+use crate::common::soups::{covers_agree, polygons, segment, small_collider, sound};
+use crate::common::worlds::{self, Dice, wire};
 use edgewalker::geom::{
     Collider, ExpandedEdge, Point, Source, check_outline, expand, expand_about, expand_one_way,
 };

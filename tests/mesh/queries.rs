@@ -1,10 +1,8 @@
 //! Queries against slow twins that look at every face or edge: sweeps, casts, the nearest wall, overlaps.
 
-mod common;
-
-use common::slow::{Spot, spot, turn};
-use common::soups::{polygons, small_collider};
-use common::worlds::{self, Dice, wire};
+use crate::common::slow::{Spot, spot, turn};
+use crate::common::soups::{self, polygons, small_collider};
+use crate::common::worlds::{self, Dice, wire};
 use edgewalker::geom::{Collider, Point, expand};
 use edgewalker::mesh::{Cast, EdgeId, FaceId, Kind, Mesh, Pass};
 use glam::DVec2;
@@ -418,7 +416,7 @@ fn overlaps_are_those_of_clipped_areas() {
     for seed in 0..120 {
         let mut dice = Dice::new(4000 + seed);
         let mut features = polygons(&mut dice, 4, &small_collider());
-        features.push(wire(&[common::soups::segment(&mut dice)]));
+        features.push(wire(&[soups::segment(&mut dice)]));
         // A frame around it all, so that the faces inside are small enough for floating point.
         let frame = [(-50, -50), (60, -50), (60, 60), (-50, 60)].map(|(x, y)| Point::new(x, y));
         features.push(wire(&[0, 1, 2, 3].map(|i| (frame[i], frame[(i + 1) % 4]))));

@@ -1,10 +1,8 @@
 //! The expansion of one-way polylines and of regions by a point: against the convex hull, against outlines that have the
 //! polyline as a part, and mirrored.
 
-mod common;
-
-use common::slow::{self, Spot, spot};
-use common::worlds::Dice;
+use crate::common::slow::{self, Spot, spot};
+use crate::common::worlds::Dice;
 use edgewalker::geom::{
     Collider, ExpandedEdge, OutlineError, Point, Source, check_outline, check_polyline, expand,
     expand_about, expand_one_way,

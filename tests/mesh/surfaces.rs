@@ -1,8 +1,6 @@
 //! Surfaces: which edges they have, how they are joined, and that their neighbours span all free space.
 
-mod common;
-
-use common::worlds::{self, Dice};
+use crate::common::worlds::{self, Dice};
 use edgewalker::geom::{Collider, Point, expand, expand_one_way};
 use edgewalker::mesh::{EdgeId, FaceId, Kind, Mesh, Segment, Surfaces};
 use std::collections::{BTreeMap, BTreeSet};

@@ -1,15 +1,11 @@
 //! Worlds with many crossings for their size: their meshes are right, come out the same however they are made, and cost what is
 //! in them.
 
-mod common;
-#[path = "common/tangles.rs"]
-mod tangles;
-
-use common::{checker, worlds};
+use crate::common::tangles::{self, TANGLES, Tangle};
+use crate::common::{checker, worlds};
 use edgewalker::geom::{Collider, ExpandedEdge, Point};
 use edgewalker::mesh::{Kind, Mesh, MeshError, Part, Phase, Progress};
 use std::time::{Duration, Instant};
-use tangles::{TANGLES, Tangle};
 
 fn features(world: fn(usize) -> Vec<worlds::Outline>, n: usize) -> Vec<Vec<ExpandedEdge>> {
     worlds::expanded(&worlds::snapped(&world(n)), &Collider::point())

@@ -1,11 +1,9 @@
 //! Whole worlds: the regression vectors that broke other libraries, the families of worlds at offsets and rotations,
 //! and the levels that ship.
 
-mod common;
-
-use common::slow::{self, Spot, spot};
-use common::soups::sound;
-use common::worlds::{self, Dice, wire};
+use crate::common::slow::{self, Spot, spot};
+use crate::common::soups::sound;
+use crate::common::worlds::{self, Dice, wire};
 use edgewalker::geom::{BOUND, Collider, ExpandedEdge, Point, Source, expand};
 use edgewalker::level::Kind;
 use edgewalker::mesh::{Mesh, MeshError};

@@ -1,13 +1,11 @@
 //! Robustness in bulk, by the checker that shares no code with the mesh. Here in small numbers; by hand in large ones:
 //!
 //! ```text
-//! MESH_WORLDS=100 MESH_POLYGONS=100000 MESH_TERRAIN=1000000 cargo test --release --no-default-features --test mesh_scale
+//! MESH_WORLDS=100 MESH_POLYGONS=100000 MESH_TERRAIN=1000000 cargo test --release --no-default-features --test mesh scale::
 //! ```
 
-mod common;
-
-use common::checker;
-use common::worlds::{self, Dice, setting, wire};
+use crate::common::checker;
+use crate::common::worlds::{self, Dice, setting, wire};
 use edgewalker::geom::{Collider, ExpandedEdge, Point, check_outline, expand};
 use edgewalker::mesh::Mesh;
 use glam::DVec2;

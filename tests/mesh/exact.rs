@@ -1,9 +1,7 @@
 //! The predicates and the expansion by a collider against slow twins.
 
-mod common;
-
-use common::slow::{self, Spot, spot};
-use common::worlds::Dice;
+use crate::common::slow::{self, Spot, spot};
+use crate::common::worlds::Dice;
 use edgewalker::geom::predicates::{
     crosses, crossing_pixel, in_circle, meets_pixel, orient2d, side, steps,
 };
