@@ -36,16 +36,16 @@ impl Nav {
 const DELAY: Duration = Duration::from_millis(380);
 const PERIOD: Duration = Duration::from_millis(95);
 
-/// The direction that is held, and for how long until it counts again.
+/// The direction that is held, and for how long until it counts again; not yet, if it went down in this frame.
 #[derive(Clone, Debug, Default)]
 pub struct Repeater {
-    held: Option<(Nav, Duration)>,
+    held: Option<(Nav, Option<Duration>)>,
 }
 
 impl Repeater {
     /// A direction goes down.
     pub fn press(&mut self, nav: Nav) {
-        self.held = nav.repeats().then_some((nav, DELAY));
+        self.held = nav.repeats().then_some((nav, None));
     }
 
     /// A direction is let go.
@@ -58,14 +58,13 @@ impl Repeater {
         self.held = None;
     }
 
-    /// Lets time pass; the direction if it counts again. At most once a call: a stall moves no focus far.
+    /// Lets the time since the last frame pass; the direction if it counts again. At most once a call: a stall moves no
+    /// focus far. Nothing of it is counted for what went down in this frame: it was not held before.
     pub fn advance(&mut self, elapsed: Duration) -> Option<Nav> {
         let (nav, left) = self.held.as_mut()?;
-        *left = left.saturating_sub(elapsed);
-        let due = left.is_zero();
-        if due {
-            *left = PERIOD;
-        }
+        let now = left.map_or(DELAY, |left| left.saturating_sub(elapsed));
+        let due = now.is_zero();
+        *left = Some(if due { PERIOD } else { now });
         due.then_some(*nav)
     }
 }
@@ -111,13 +110,25 @@ mod tests {
         let times: Vec<usize> = (0..70)
             .filter(|_| repeater.advance(frame).is_some())
             .collect();
-        assert_eq!(times, [37, 47, 57, 67]);
+        assert_eq!(times, [38, 48, 58, 68]);
         repeater.release(Nav::Up);
         assert_eq!(repeater.advance(DELAY), Some(Nav::Down));
         repeater.release(Nav::Down);
         assert_eq!(repeater.advance(DELAY), None);
         repeater.press(Nav::Choose);
         assert_eq!(repeater.advance(DELAY), None);
+    }
+
+    #[test]
+    fn what_is_tapped_in_a_slow_frame_counts_once() {
+        let mut repeater = Repeater::default();
+        repeater.press(Nav::Up);
+        assert_eq!(repeater.advance(2 * DELAY), None, "it was not held so long");
+        repeater.release(Nav::Up);
+        assert_eq!(repeater.advance(2 * DELAY), None);
+        repeater.press(Nav::Up);
+        assert_eq!(repeater.advance(2 * DELAY), None);
+        assert_eq!(repeater.advance(DELAY), Some(Nav::Up), "but it is now");
     }
 
     #[test]
