@@ -140,7 +140,7 @@ impl Body {
     /// Whether the regions around the body make it take hold or lose its hold.
     pub(super) fn minds_ladder(&self, terrain: &Terrain) -> bool {
         let lost = match self.mount {
-            Some(_) => self.on_ladder(terrain),
+            Some(_) => self.mount_is_over(self.on_ladder(terrain)),
             None => self.ladder_here(terrain) != Some(self.ladder),
         };
         self.climbing && lost || self.hold_wished(terrain).is_some()

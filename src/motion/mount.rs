@@ -157,12 +157,16 @@ impl Body {
 
     /// Back on the ladder, or off it: there is no way to ground any more.
     pub(super) fn end_mount(&mut self, on_ladder: bool) {
-        let over = !self.climbing || !self.is_mounting();
-        let back = on_ladder && self.mount.is_some_and(|mount| !mount.aside);
-        if over || back {
+        if self.mount_is_over(on_ladder) {
             self.rebase();
             self.mount = None;
         }
+    }
+
+    /// Whether the way to ground is at an end: on a ladder again, but for one that is only passed on the way aside.
+    pub(super) fn mount_is_over(&self, on_ladder: bool) -> bool {
+        let back = on_ladder && self.mount.is_some_and(|mount| !mount.aside);
+        !self.climbing || !self.is_mounting() || back
     }
 
     /// When the feet of one who climbs from the end of a ladder come to the ground, or beside it, if that comes first.

@@ -75,6 +75,21 @@ fn up_a_ladder_between_two_platforms() {
 }
 
 #[test]
+fn another_ladder_on_the_way_aside_is_only_passed() {
+    let other = (Region::Ladder, (0.2, 0.7), (5.5, 8.0));
+    let scene = ladder(6.0).rect((0.75, 9.0), (5.5, 6.0));
+    let scene = scene.region(other.0, other.1, other.2);
+    at_every_rate(&scene, |run, rate| {
+        run.spawn(0.0, 0.0).up(true).play(4.0, rate);
+        // Onto the platform, and from there up the other one, since up is held.
+        close(run.last(landed), time_for(6.0) + time_for(0.75 - HALF), 1e-12);
+        run.near(0.75 - HALF, 8.0, 1e-12);
+        assert!(run.body().climbing());
+        run.frozen(60);
+    });
+}
+
+#[test]
 fn up_a_ladder_beside_one_platform() {
     for solid in [true, false] {
         let scene = match solid {
