@@ -9,7 +9,7 @@ use super::body::Control;
 use super::law::{Law, drive};
 use super::terrain::{Ground, Terrain, Traits};
 use super::track::{Track, reduced};
-use crate::mesh::SegmentId;
+use crate::mesh::{EdgeId, SegmentId};
 use crate::tune::Motion;
 
 /// Ground under a walker.
@@ -39,15 +39,24 @@ impl Footing {
         }
     }
 
-    /// The ground along a feature edge, the road of which is known.
-    pub(super) fn under(s: SegmentId, track: &Track, mesh: Ground, terrain: &Terrain) -> Footing {
+    /// The ground along a feature edge, the road of which is known, where it runs along an edge of the mesh.
+    pub(super) fn under(
+        edge: EdgeId,
+        s: SegmentId,
+        track: &Track,
+        mesh: Ground,
+        terrain: &Terrain,
+    ) -> Footing {
         let segment = mesh.segment(s);
         let sign = if track.tangent.x < 0.0 { -1.0 } else { 1.0 };
         let direction = match segment.aside.is_none() {
             true => track.heading(sign),
             false => reduced(mesh.heading(s, track, sign)),
         };
-        let traits = terrain.traits_of(segment.feature);
+        let mut traits = terrain.traits_of(segment.feature);
+        if mesh.is_held_still(edge, s) {
+            traits.conveyor = 0.0;
+        }
         Footing::of(direction, &traits, terrain.tuning)
     }
 

@@ -62,23 +62,26 @@ impl Body {
     }
 
     /// Whether a walker comes to rest at a joint because the ground drives him back to it from either side: belts that meet,
-    /// a wish against a stronger belt, a valley. He passes it while he is faster than the speed that drives him there, and
-    /// goes further than the width of a joint before he turns: so swings in a valley that grow ever smaller end.
+    /// a wish against a stronger belt that has carried him back, a valley. He passes it while he runs there himself, or is
+    /// faster than the speed that drives him there, and goes further than the width of a joint before he turns: so swings in a
+    /// valley that grow ever smaller end.
     pub(super) fn is_held(&self, joint: &Joint, on: &Onward, terrain: &Terrain) -> bool {
         let mesh = self.ground(terrain);
         let (t, forward) = (terrain.tuning, joint.forward());
         let crouched = self.size == Size::Crouch;
-        let footing = |s, track| Footing::under(s, track, mesh, terrain);
-        let old = footing(joint.segment, &joint.track);
-        let new = footing(on.segment, &on.track);
+        let footing = |e, s, track| Footing::under(e, s, track, mesh, terrain);
+        let old = footing(joint.edge, joint.segment, &joint.track);
+        let new = footing(on.edge, on.segment, &on.track);
         let drive = |f: &Footing| forward * f.law(0.0, &self.control, crouched, t).accel;
         let (push, back) = (drive(&old), drive(&new));
         let steady = forward * old.steady(&self.control, crouched, t);
         let width = f64::from(JOINT_STEPS) * STEP;
+        // Who runs there by himself goes on, be the belt beyond faster than he: it carries him back, and then he is held.
+        let runs = self.control.run * forward > 0.0;
         !self.is_pressed()
             && push > 0.0
             && back < 0.0
-            && (joint.speed <= steady || joint.speed * joint.speed <= -2.0 * back * width)
+            && (!runs && joint.speed <= steady || joint.speed * joint.speed <= -2.0 * back * width)
     }
 
     /// Whether one who leaves the ground here is back at once: he is so slow that the stick brings him back through the air in
@@ -86,7 +89,13 @@ impl Body {
     /// climbed. At the end of the ground he stops then; at a bend he stays on the ground.
     pub(super) fn is_brought_back(&self, joint: &Joint, at: f64, terrain: &Terrain) -> bool {
         let (t, forward) = (terrain.tuning, joint.forward());
-        let ground = Footing::under(joint.segment, &joint.track, self.ground(terrain), terrain);
+        let ground = Footing::under(
+            joint.edge,
+            joint.segment,
+            &joint.track,
+            self.ground(terrain),
+            terrain,
+        );
         let crouched = self.size == Size::Crouch;
         let push = forward * ground.law(0.0, &self.control, crouched, t).accel;
         // The stick and the drag of the air count in the level, whatever carries him.

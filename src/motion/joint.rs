@@ -21,6 +21,8 @@ pub(super) struct Joint {
     /// Sign of the parameter's change so far.
     pub(super) sign: f64,
     pub(super) heading: Heading,
+    /// The edge of the surface so far.
+    pub(super) edge: EdgeId,
     /// The feature edge so far, and its road.
     pub(super) segment: SegmentId,
     pub(super) track: Track,
@@ -57,6 +59,7 @@ impl Joint {
             speed,
             sign,
             heading,
+            edge: on.edge,
             segment: on.segment,
             track: on.track,
             before: mesh.heading(on.segment, &on.track, sign),
@@ -147,11 +150,8 @@ impl Body {
         let next = surface_next(mesh, on.edge, heading);
         let same_line = |s: SegmentId| s == on.segment || mesh.track(s).same_line(&on.track);
         let onward = next.and_then(|next| segment_at(mesh, next, same_line).map(|s| (next, s)));
-        let alike = |s: SegmentId| {
-            let [from, to] = [on.segment, s].map(|s| mesh.segment(s).feature);
-            !on.walkable || terrain.alike(from, to)
-        };
-        let straight = onward.filter(|&(_, s)| same_line(s) && alike(s));
+        let alike = |to| !on.walkable || mesh.drive_alike((on.edge, on.segment), to);
+        let straight = onward.filter(|&to| same_line(to.1) && alike(to));
         let regrips = straight.is_some_and(|(next, _)| self.meets_other_grip(next, terrain));
         let Mode::Surface(on) = &mut self.mode else {
             return false;
@@ -250,9 +250,9 @@ impl Body {
         };
         let edge = surface.edge;
         let straight = joint.goes_straight_on(&on);
-        let [from, to] = [joint.segment, on.segment].map(|s| mesh.segment(s).feature);
+        let alike = mesh.drive_alike((edge, joint.segment), (on.edge, on.segment));
         let parallel = on.track.is_parallel(&joint.track);
-        if straight && parallel && terrain.alike(from, to) {
+        if straight && parallel && alike {
             // Parallel, within the steps of a joint: the same parameter, so the piece goes on.
             (surface.edge, surface.segment, surface.track) = (on.edge, on.segment, on.track);
             surface.since = (now - surface.t0).max(surface.since);
@@ -404,7 +404,7 @@ impl Body {
         if mesh.walkable(on.segment) {
             // Who is driven against the slope that he comes down on stands at its foot: else each return would set him off again.
             let crouched = self.size == Size::Crouch;
-            let footing = Footing::under(on.segment, &on.track, mesh, terrain);
+            let footing = Footing::under(on.edge, on.segment, &on.track, mesh, terrain);
             let wish = footing.steady(&self.control, crouched, terrain.tuning);
             let stands = !keeps && wish * vector(on.after).x < 0.0 && kept <= wish.abs();
             let u = if stands { 0.0 } else { u };

@@ -122,7 +122,7 @@ impl Body {
         let (now, beside) = (self.time, &self.beside[i]);
         let (mine, other) = (self.frame_piece(), beside.piece());
         let mesh = beside.ground(self.size, terrain);
-        let footing = Footing::under(new.segment, &new.track, mesh, terrain);
+        let footing = Footing::under(new.edge, new.segment, &new.track, mesh, terrain);
         let (crouched, t) = (self.size == Size::Crouch, terrain.tuning);
         // The law counts along x, the parameter of ground steeper than 45 degrees along y.
         let x = if new.track.tangent.x < 0.0 { -1.0 } else { 1.0 };

@@ -327,7 +327,7 @@ impl Body {
             Mode::Surface(on) if on.walkable => {
                 // The wish counts along x; the parameter of ground steeper than 45 degrees along y.
                 let x = if on.track.tangent.x < 0.0 { -1.0 } else { 1.0 };
-                let footing = Footing::under(on.segment, &on.track, mesh, terrain);
+                let footing = Footing::under(on.edge, on.segment, &on.track, mesh, terrain);
                 let law = footing.law(on.u0 * x, &control, crouched, t);
                 on.accel = law.accel * x;
                 on.limit = limit(on.t0, law, on.u0 * x).map(|(at, until)| (at, until * x));

@@ -114,15 +114,6 @@ impl<'a> Terrain<'a> {
         }
     }
 
-    /// Whether walkers are driven alike on two features: then a joint between them that goes straight on is no event.
-    pub(super) fn alike(&self, a: FeatureId, b: FeatureId) -> bool {
-        let drive = |f: FeatureId| {
-            let traits = self.traits_of(f);
-            (traits.conveyor, traits.friction)
-        };
-        a == b || drive(a) == drive(b)
-    }
-
     /// What two features say about a concave joint between them, the same from either side: `Project` if one of them says
     /// so, else `Keep` if one of them does, else nothing.
     pub(super) fn concave_of(&self, a: FeatureId, b: FeatureId) -> Option<Concave> {
@@ -169,6 +160,53 @@ impl<'a> Ground<'a> {
         self.traits
             .get(feature as usize)
             .is_some_and(|t| t.conveyor != 0.0 || t.friction.is_some())
+    }
+
+    /// What decides between feature edges that are alike but for their traits: the faster belt, the larger friction, what can be
+    /// climbed, what says how its concave joints are; then the upper and the steeper one. It does not depend on the order in which
+    /// features come, and mirrored ones have the same.
+    pub(super) fn rank(&self, segment: &Segment) -> impl Ord + use<> {
+        let traits = self.traits_of(segment.feature);
+        let concave = traits.concave.map(|concave| concave == Concave::Keep);
+        let (_, dy) = segment.direction();
+        (
+            // Of numbers that are not negative the bits have their order.
+            traits.conveyor.abs().to_bits(),
+            traits.friction.map(|friction| friction.abs().to_bits()),
+            traits.climbable,
+            concave,
+            i64::from(segment.a.y) + i64::from(segment.b.y),
+            dy.abs(),
+        )
+    }
+
+    /// Whether along an edge of the mesh a belt lies flush with one that runs the other way just as fast, so that neither moves.
+    pub(super) fn is_held_still(self, e: EdgeId, belt: SegmentId) -> bool {
+        let speed = |s: SegmentId| self.traits_of(self.mesh.segment(s).feature).conveyor;
+        let long = |s: SegmentId| {
+            let (dx, dy) = self.mesh.segment(s).direction();
+            dx * dx + dy * dy
+        };
+        let against = |s: SegmentId| speed(s) == -speed(belt) && long(s) == long(belt);
+        speed(belt) != 0.0 && self.facing(e).any(|s| self.walkable(s) && against(s))
+    }
+
+    /// Whether walkers are driven alike on two feature edges, each along an edge of the mesh: then a joint between them that goes
+    /// straight on is no event.
+    pub(super) fn drive_alike(self, a: (EdgeId, SegmentId), b: (EdgeId, SegmentId)) -> bool {
+        let drive = |(e, s): (EdgeId, SegmentId)| {
+            let traits = self.traits_of(self.mesh.segment(s).feature);
+            match self.is_held_still(e, s) {
+                true => (0.0, traits.friction),
+                false => (traits.conveyor, traits.friction),
+            }
+        };
+        drive(a) == drive(b)
+    }
+
+    fn traits_of(&self, feature: FeatureId) -> Traits {
+        let traits = self.traits.get(feature as usize).copied();
+        traits.unwrap_or_default()
     }
 
     /// The same as it meets one who climbs on a ladder, or does not.

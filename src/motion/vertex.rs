@@ -81,8 +81,8 @@ pub fn surface_next(mesh: Ground, e: EdgeId, heading: Heading) -> Option<EdgeId>
 
 /// The feature edge that a body meets at a blocking mesh edge with the free side on its left: `prefer` if it runs there,
 /// else the best of those that face it. Walkable ones come first, then belts and features with a friction of their own,
-/// which may be drawn on a floor, then longer ones, then earlier features; so neither ids of the mesh nor the order of
-/// insertion matter. `None` at the world's border.
+/// which may be drawn on a floor, then longer ones, then what [`Ground::rank`] says: so neither ids of the mesh nor the order of
+/// features or of their insertion matter to the motion. `None` at the world's border.
 pub fn segment_at(
     mesh: Ground,
     e: EdgeId,
@@ -96,10 +96,17 @@ pub fn segment_at(
             mesh.walkable(s),
             mesh.drives(segment.feature),
             dot(d, d),
+            mesh.rank(segment),
             std::cmp::Reverse((segment.feature, segment.source)),
         )
     };
-    mesh.facing(e).max_by_key(rank)
+    let mut facing = mesh.facing(e);
+    let first = facing.next()?;
+    match facing.next() {
+        // Nearly everywhere it is the only one.
+        None => Some(first),
+        Some(second) => [first, second].into_iter().chain(facing).max_by_key(rank),
+    }
 }
 
 /// The feature edge along a mesh edge that a motion leads into, from rest or along it by its acceleration: not the best of them,

@@ -149,7 +149,8 @@ fn scene_59_two_belts_that_meet_hold_a_body_between_them() {
                 run.jump(false).wait(3.0).frozen(60);
                 // A wish that is no faster than the belt does not get out; a faster one does, either way.
                 for wish in [0.6, -0.6] {
-                    run.hold(wish).frozen(60);
+                    run.hold(wish).wait(3.0).frozen(60);
+                    assert!(run.at().x.abs() <= HALF + 0.1);
                 }
                 for wish in [1.0, -1.0] {
                     run.hold(wish).wait(1.0);

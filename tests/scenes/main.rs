@@ -2,6 +2,7 @@
 //! list of hard cases; conventions: y up, gravity 30, solids counter-clockwise, P a point, B a box of half-size
 //! (13/32, 29/32) whose reference point is the middle of its foot.
 
+mod belts;
 mod braking;
 mod build;
 mod bumps;

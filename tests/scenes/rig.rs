@@ -402,6 +402,7 @@ impl Run<'_> {
     }
 
     /// Position to a tolerance; in the shifted variant no closer than the coordinates allow.
+    #[track_caller]
     pub fn near(&mut self, x: f64, y: f64, tolerance: f64) -> &mut Self {
         let tolerance = if self.variant == Variant::Shifted {
             tolerance.max(1e-11)
@@ -419,6 +420,7 @@ impl Run<'_> {
     }
 
     /// Not one bit changes, position and velocity, over ticks at 60 Hz.
+    #[track_caller]
     pub fn frozen(&mut self, ticks: u32) -> &mut Self {
         let before = (
             self.body().position().to_array().map(f64::to_bits),
