@@ -45,6 +45,7 @@ fn level(more: &[Feature]) -> Level {
         movers: Vec::new(),
         areas: Vec::new(),
         frames: Vec::new(),
+        prompts: Vec::new(),
         scenery: Vec::new(),
     }
 }

@@ -7,6 +7,7 @@ mod blend;
 pub mod camera;
 pub mod framing;
 mod going;
+mod lessons;
 mod meshes;
 mod moves;
 mod paths;
@@ -21,6 +22,7 @@ mod stage;
 mod ways;
 mod world;
 
+pub use lessons::Lessons;
 pub use meshes::{Meshes, Shape};
 pub use moves::Sights;
 pub use replay::{Replay, ReplayError};

@@ -407,11 +407,12 @@ impl Land {
     }
 }
 
-/// Hash of all that a run depends on: scenery and the camera's frames change none.
+/// Hash of all that a run depends on: scenery, the camera's frames and prompts change none.
 fn fingerprint(level: &Level) -> u64 {
     let played = Level {
         scenery: Vec::new(),
         frames: Vec::new(),
+        prompts: Vec::new(),
         ..level.clone()
     };
     let text = ron::to_string(&played).expect("a level is plain data");

@@ -10,7 +10,7 @@ use crate::geom::{Collider, Drawn};
 use features::{check_body, check_id};
 use glam::DVec2;
 use movers::check_movers;
-use places::{check_areas, check_frames, check_places};
+use places::{check_areas, check_frames, check_places, check_prompts};
 use std::collections::BTreeMap;
 
 /// Coordinates are smaller than this in magnitude, in metres: the mesh holds 4096, and outlines grow by the hero's size.
@@ -38,6 +38,7 @@ pub fn check(level: &Level) -> Result<(), Flaw> {
     check_places(level)?;
     check_areas(level)?;
     check_frames(level)?;
+    check_prompts(level)?;
     check_features(level)?;
     check_starts(level)?;
     level

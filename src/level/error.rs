@@ -21,6 +21,8 @@ pub enum Entity {
     Area(usize, String),
     /// A frame of the camera, by its index.
     Frame(usize),
+    /// A prompt, by its index.
+    Prompt(usize),
     /// A piece of scenery, by its index.
     Scenery(usize),
 }
@@ -82,6 +84,7 @@ impl fmt::Display for Entity {
             Entity::Area(_, name) if name.len() <= LONGEST_ID => write!(f, "area {name:?}"),
             Entity::Area(index, _) => write!(f, "areas[{index}]"),
             Entity::Frame(index) => write!(f, "frames[{index}]"),
+            Entity::Prompt(index) => write!(f, "prompts[{index}]"),
             Entity::Scenery(index) => write!(f, "scenery[{index}]"),
         }
     }

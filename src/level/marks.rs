@@ -32,9 +32,10 @@ macro_rules! parts {
 }
 
 parts! {
-    LevelParts is "Level" { version, name, start, goal, bottom, areas, frames, features, movers, scenery }
+    LevelParts is "Level" { version, name, start, goal, bottom, areas, frames, prompts, features, movers, scenery }
     AreaParts is "Area" { name, room, mood }
     FrameParts is "Frame" { room, at, zoom }
+    PromptParts is "Prompt" { skill, room }
     FeatureParts is "Feature" { id, kind, outline, climbable, conveyor, friction, concave, by, respawn }
     MoverParts is "Mover" { id, features, path, repeat, starts, back, calls }
     CallParts is "Call" { by, to }
@@ -100,6 +101,7 @@ pub(super) struct Marks<'a> {
     level: &'a RawValue,
     areas: Vec<&'a RawValue>,
     frames: Vec<&'a RawValue>,
+    prompts: Vec<&'a RawValue>,
     features: Vec<&'a RawValue>,
     movers: Vec<&'a RawValue>,
     scenery: Vec<&'a RawValue>,
@@ -115,6 +117,7 @@ impl<'a> Marks<'a> {
             level,
             areas: part("areas"),
             frames: part("frames"),
+            prompts: part("prompts"),
             features: part("features"),
             movers: part("movers"),
             scenery: part("scenery"),
@@ -139,12 +142,16 @@ impl<'a> Marks<'a> {
                 let frame = self.frames.get(index).copied()?;
                 element(&flaw.field, |name| FrameParts::find(frame, name)).or(Some(frame))
             }
+            Entity::Prompt(index) => {
+                let prompt = self.prompts.get(index).copied()?;
+                element(&flaw.field, |name| PromptParts::find(prompt, name)).or(Some(prompt))
+            }
             Entity::Scenery(index) => self.scenery.get(index).copied(),
         };
         value.and_then(|value| u32::try_from(self.line_of(value)).ok())
     }
 
-    /// The feature, mover, area, frame or piece of scenery that an error of the parser lies in.
+    /// The feature, mover, area, frame, prompt or piece of scenery that an error of the parser lies in.
     pub fn entity(&self, error: &Span) -> Option<Entity> {
         let at = self.offset_of(error);
         let holds = |value: &&RawValue| {
@@ -181,6 +188,9 @@ impl<'a> Marks<'a> {
         }
         if let Some(index) = self.frames.iter().position(holds) {
             return Some(Entity::Frame(index));
+        }
+        if let Some(index) = self.prompts.iter().position(holds) {
+            return Some(Entity::Prompt(index));
         }
         self.scenery.iter().position(holds).map(Entity::Scenery)
     }

@@ -20,7 +20,7 @@ pub use error::{Entity, Flaw, LevelError};
 pub use feature::{By, Concave, Feature, Kind, Material};
 pub use file::{check_writable, load, parse, read, save, without_mark, write_atomically};
 pub use mover::{Call, Easing, End, Mover, Repeat, Starts, Stop, is_upright};
-pub use place::{Area, Frame, Mood};
+pub use place::{Area, Frame, Mood, Prompt, Skill};
 pub use scenery::{Scenery, SceneryKind};
 
 use crate::geom::{Drawn, STEP};
@@ -50,6 +50,9 @@ pub struct Level {
     /// What the camera frames.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub frames: Vec<Frame>,
+    /// Where the player is told how something is done.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub prompts: Vec<Prompt>,
     /// The terrain, and the regions that do something to the hero.
     pub features: Vec<Feature>,
     /// Features that move.

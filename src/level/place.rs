@@ -44,6 +44,32 @@ pub struct Frame {
     pub zoom: f64,
 }
 
+/// Something that the hero can do and a player may not know of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+pub enum Skill {
+    /// Crouching under what hangs low.
+    Crouch,
+    /// Dropping through the boards that he stands on.
+    Drop,
+    /// Jumping off a wall.
+    WallJump,
+    /// Climbing up from a ledge that he hangs from.
+    Ledge,
+    /// Looking up.
+    Look,
+}
+
+/// Where a skill is needed: how it is done is told while the hero's foot is in a room, until he has done it once. Prompts may
+/// overlap: of those that are not known yet, the first in the list counts.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Prompt {
+    /// What is told.
+    pub skill: Skill,
+    /// Where.
+    pub room: Rect,
+}
+
 fn one() -> f64 {
     1.0
 }

@@ -24,6 +24,7 @@ use super::text::{Pass, Text};
 use super::{ShellError, guard, levels, liking, puppet};
 use crate::anim::Rig;
 use crate::cli::{Options, files};
+use crate::game::Lessons;
 use crate::tune::Tuning;
 use sdl2::event::{Event, EventSender, WindowEvent};
 use std::io::Write;
@@ -51,7 +52,9 @@ pub struct App {
     pub controls: Controls,
     /// The menus, the settings, and what has been reached.
     pub front: Front,
-    pub(super) hud: Hud,
+    /// What is seen beside the world.
+    pub hud: Hud,
+    pub(super) lessons: Lessons,
     // The run: where its inputs come from and go to, and what it depends on beside them.
     pub(super) feed: Feed,
     pub(super) log: Arc<Log>,
@@ -122,6 +125,7 @@ impl App {
             controls: Controls::default(),
             front,
             hud: Hud::default(),
+            lessons: Lessons::default(),
             paused: false,
             scale: 1.0,
             quit: false,
@@ -391,6 +395,7 @@ impl App {
         }
         self.play.tick(input, self.controls.look(), &self.tuning);
         self.note_tick();
+        self.note_lesson(input);
         self.hear_tick();
         true
     }

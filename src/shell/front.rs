@@ -267,6 +267,8 @@ impl App {
         self.front.clock += elapsed.as_secs_f64();
         self.hud
             .advance(elapsed.as_secs_f32(), &self.play.world.view());
+        let lesson = self.lesson();
+        self.hud.teach(elapsed.as_secs_f32(), lesson);
         if self.front.is_open() {
             self.front.menu.advance(elapsed.as_secs_f32());
             self.point();

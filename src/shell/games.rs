@@ -10,7 +10,8 @@ use super::reload::Watch;
 use super::runs::Feed;
 use super::settings::progress::{Results, clock};
 use crate::cli::load;
-use crate::game::{Back, Run, View, World};
+use crate::game::{Back, Input, Run, View, World};
+use crate::level::Skill;
 use std::time::Duration;
 
 /// Where the hero has come back between two moments of a run, if he has.
@@ -86,6 +87,27 @@ impl App {
             deaths => format!("{deaths} deaths"),
         };
         format!("{place}   ·   {}   ·   {deaths}", clock(view.run_time()))
+    }
+
+    /// Sees whether the player has done something for the first time, holding this: he is not told of it any more.
+    pub(super) fn note_lesson(&mut self, input: Input) {
+        let (view, look) = (self.play.world.view(), self.controls.look());
+        let done = self.lessons.watch(&view, input, look);
+        let is_played = matches!(self.feed, Feed::Player);
+        if let Some(skill) = done.filter(|_| is_played)
+            && self.front.store.progress.learnt.insert(skill)
+        {
+            self.save_progress();
+        }
+    }
+
+    /// What the player is to be told where the hero is.
+    pub(super) fn lesson(&self) -> Option<Skill> {
+        let at = self.play.world.view().position;
+        let learnt = &self.front.store.progress.learnt;
+        let mut prompts = self.play.world.stage().level.prompts.iter();
+        let prompt = prompts.find(|p| p.room.contains(at) && !learnt.contains(&p.skill));
+        prompt.map(|prompt| prompt.skill)
     }
 
     /// Sees what a tick has brought: a checkpoint and a way back are told; checkpoints, deaths, secrets and the goal are kept at once.

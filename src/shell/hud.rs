@@ -8,6 +8,7 @@ use super::settings::progress::clock;
 use super::settings::{Bindings, Deed};
 use super::text::{Face, Style, Symbol, Text};
 use crate::game::{Away, Back, View, World};
+use crate::level::Skill;
 use std::fmt::Write;
 use std::mem::take;
 
@@ -58,12 +59,16 @@ enum Word {
 /// The keys or buttons of a prompt, and what they do.
 type Prompt = ([Option<Cap>; 2], &'static str);
 
+/// Seconds in which a lesson comes, and in which it goes.
+const LESSON: [f32; 2] = [0.5, 0.35];
+
 /// What the prompts show, made anew when a key is bound or another device is used.
 #[derive(Debug)]
 struct Prompts {
     device: Device,
     bindings: Bindings,
     groups: [Prompt; 6],
+    lessons: [(Skill, [Prompt; 1]); 5],
 }
 
 /// What is shown, and since when.
@@ -81,6 +86,8 @@ pub struct Hud {
     /// How bright it still is after a death, 0 to 1.
     flash: f32,
     prompts: Option<Prompts>,
+    /// What is told where the hero is, and how much of it is there, 0 to 1.
+    lesson: Option<(Skill, f32)>,
     /// Room to put words together in.
     words: String,
 }
@@ -123,6 +130,11 @@ impl Hud {
         self.curtain = 1.0;
     }
 
+    /// What the player is told now, if anything.
+    pub fn told(&self) -> Option<Skill> {
+        self.lesson.map(|(skill, _)| skill)
+    }
+
     /// Over the whole picture: the dark that is left of a curtain, and the light that is left of a death, if flashes are
     /// shown; without them a death is dark.
     pub fn veil(&self, text: &mut Text, flashes: bool) {
@@ -141,6 +153,22 @@ impl Hud {
     /// A checkpoint was reached.
     pub fn checkpoint(&mut self) {
         self.word = Some((Word::Checkpoint, 0.0));
+    }
+
+    /// Lets time pass, in seconds, for what the player is told where the hero is: one thing after the other, and nothing while the
+    /// first prompts are there.
+    pub fn teach(&mut self, seconds: f32, wanted: Option<Skill>) {
+        let wanted = wanted.filter(|_| self.begun >= PROMPTS[2]);
+        let [come, go] = LESSON;
+        self.lesson = match (self.lesson, wanted) {
+            (Some((skill, there)), wanted) if wanted == Some(skill) => {
+                Some((skill, (there + seconds / come).min(1.0)))
+            }
+            (Some((skill, there)), _) if there > seconds / go => {
+                Some((skill, there - seconds / go))
+            }
+            (_, wanted) => wanted.map(|skill| (skill, 0.0)),
+        };
     }
 
     /// Lets time pass, in seconds, and sees what has changed.
@@ -258,6 +286,12 @@ impl Hud {
             let known = known.filter(|p| p.device == device && p.bindings == *bindings);
             let prompts = known.unwrap_or_else(|| Prompts::new(device, bindings));
             pen.prompts(&prompts.groups, shown(self.begun, PROMPTS));
+            if let Some((skill, there)) = self.lesson {
+                let mut lessons = prompts.lessons.iter();
+                if let Some((_, lesson)) = lessons.find(|(of, _)| *of == skill) {
+                    pen.prompts(lesson, there);
+                }
+            }
             self.prompts = Some(prompts);
         }
     }
@@ -281,6 +315,22 @@ impl Prompts {
                 (one(Deed::Crouch), "crouch"),
                 (one(Deed::Retry), "retry"),
                 ([Some(prompts::pause(device)), None], "pause"),
+            ],
+            lessons: [
+                (Skill::Crouch, [(one(Deed::Crouch), "crouch")]),
+                (
+                    Skill::Drop,
+                    [(
+                        [deed(Deed::Down), deed(Deed::Jump)],
+                        "drop through the boards",
+                    )],
+                ),
+                (Skill::WallJump, [(one(Deed::Jump), "jump off the wall")]),
+                (Skill::Ledge, [(one(Deed::Up), "climb up from the ledge")]),
+                (
+                    Skill::Look,
+                    [([prompts::look(device, bindings), None], "look up")],
+                ),
             ],
         }
     }

@@ -44,6 +44,7 @@ pub fn world(more: &[Feature], movers: &[Mover], rate: u32) -> World {
         movers: movers.to_vec(),
         areas: Vec::new(),
         frames: Vec::new(),
+        prompts: Vec::new(),
         scenery: Vec::new(),
     };
     World::new(Arc::new(Stage::build(level).unwrap()), rate, 0)

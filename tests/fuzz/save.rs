@@ -67,6 +67,7 @@ fn as_level(case: &Case) -> Level {
         movers,
         areas: Vec::new(),
         frames: Vec::new(),
+        prompts: Vec::new(),
         scenery: Vec::new(),
     }
 }

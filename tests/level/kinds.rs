@@ -1,7 +1,9 @@
 //! Kinds of features, their traits, and movers: what is read, and what is refused in which words.
 
 use super::{mutants, survive};
-use edgewalker::level::{self, By, Concave, Easing, End, Kind, Material, Mood, Repeat, Starts};
+use edgewalker::level::{
+    self, By, Concave, Easing, End, Kind, Material, Mood, Repeat, Skill, Starts,
+};
 use std::path::Path;
 
 /// A level with every kind of feature and every field.
@@ -52,6 +54,9 @@ const FULL: &str = r#"(
     frames: [
         (room: (min: (60, 0), max: (70, 9)), at: Some((66, 4.5)), zoom: 0.75),
         (room: (min: (88, 1), max: (92, 9))),
+    ],
+    prompts: [
+        (skill: WallJump, room: (min: (70, 0), max: (74, 8))),
     ],
 )
 "#;
@@ -109,6 +114,10 @@ fn every_field_arrives() {
     };
     assert_eq!((machine.at.unwrap().y, machine.zoom), (4.5, 0.75));
     assert_eq!((gate.at, gate.zoom, gate.room.max.x), (None, 1.0, 92.0));
+    let [told] = level.prompts[..] else {
+        panic!("{} prompts", level.prompts.len());
+    };
+    assert_eq!((told.skill, told.room.max.y), (Skill::WallJump, 8.0));
     let [lift, door] = &level.movers[..] else {
         panic!("{} movers", level.movers.len());
     };
@@ -139,6 +148,7 @@ fn a_plain_level_is_written_without_the_fields_that_it_does_not_use() {
         "movers",
         "areas",
         "frames",
+        "prompts",
         "respawn",
         "by:",
     ] {
@@ -489,6 +499,21 @@ const BAD_PLACES: &[Change] = &[
         "(92, 9)))",
         "(92, 9)), size: 2)",
         "47: frames[1]: Unexpected field named `size` in `Frame`, expected one of `room`, `at`, or `zoom` instead",
+    ),
+    (
+        "(74, 8)",
+        "(74, 0)",
+        "50: prompts[0], room: min is not below and left of max",
+    ),
+    (
+        "(70, 0), max: (74, 8)",
+        "(NaN, 0), max: (74, 8)",
+        "50: prompts[0], room.min.x: NaN is not a finite number",
+    ),
+    (
+        "WallJump",
+        "Fly",
+        "50: prompts[0]: Unexpected variant named `Fly` in enum `Skill`, expected one of `Crouch`, `Drop`, `WallJump`, `Ledge`, or `Look` instead",
     ),
 ];
 

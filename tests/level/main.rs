@@ -314,7 +314,7 @@ fn text_that_is_no_level_is_refused_with_its_line() {
         (
             "name: ",
             "title: ",
-            "4: Unexpected field named `title` in `Level`, expected one of `version`, `name`, `start`, `goal`, `bottom`, `areas`, `frames`, `features`, `movers`, or `scenery` instead",
+            "4: Unexpected field named `title` in `Level`, expected one of `version`, `name`, `start`, `goal`, `bottom`, `areas`, `frames`, `prompts`, `features`, `movers`, or `scenery` instead",
         ),
         (
             "bottom: -10.0,",

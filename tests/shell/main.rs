@@ -127,6 +127,10 @@ const TESTS: &[Test] = &[
     ),
     ("another level", tools::another_level),
     ("a level is clicked", tools::a_level_is_clicked),
+    (
+        "a prompt is gone when it was done once",
+        tools::a_prompt_is_gone_when_it_was_done_once,
+    ),
     ("a run is heard", sound::a_run_is_heard),
     (
         "volumes of nothing are silent",

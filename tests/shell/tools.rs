@@ -5,6 +5,7 @@ use super::hands::{
 };
 use edgewalker::cli::Options;
 use edgewalker::game::Stance;
+use edgewalker::level::Skill;
 use edgewalker::shell::app::App;
 use edgewalker::shell::edits::{Edit, Group};
 use edgewalker::shell::notices::Topic;
@@ -264,4 +265,31 @@ pub fn another_level(_: &Path) {
     app.apply(Edit::OpenLevel("levels/dev/no-such.ron".into()));
     frames(&mut app, 1);
     assert!(has_problem(&app, Topic::Level, &["no-such.ron"]));
+}
+
+/// A level tells how to crouch where it says so, until that was done once; then no level and no later start does.
+pub fn a_prompt_is_gone_when_it_was_done_once(folder: &Path) {
+    let level = folder.join("told.ron");
+    let text = fs::read_to_string(FLAT).unwrap();
+    let prompts = "prompts: [(skill: Crouch, room: (min: (-90, -9), max: (90, 9)))], features:";
+    fs::write(&level, text.replace("features:", prompts)).unwrap();
+    let settings = folder.join("settings");
+    let options = Options {
+        config_dir: Some(settings.clone()),
+        ..options(&level.to_string_lossy())
+    };
+    let mut app = open(&options);
+    frames(&mut app, 60);
+    assert_eq!(app.hud.told(), None, "the first prompts are there");
+    frames(&mut app, 700);
+    assert_eq!(app.hud.told(), Some(Skill::Crouch));
+    key(&app, Scancode::C, true);
+    frames(&mut app, 60);
+    key(&app, Scancode::C, false);
+    frames(&mut app, 60);
+    assert_eq!(app.hud.told(), None);
+    app.finish().unwrap();
+    let mut app = open(&options);
+    frames(&mut app, 760);
+    assert_eq!(app.hud.told(), None, "it is remembered");
 }

@@ -43,6 +43,7 @@ pub fn level(features: Vec<Feature>, movers: Vec<Mover>) -> Level {
         movers,
         areas: Vec::new(),
         frames: Vec::new(),
+        prompts: Vec::new(),
         scenery: Vec::new(),
     }
 }

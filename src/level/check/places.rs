@@ -55,6 +55,13 @@ pub(super) fn check_frames(level: &Level) -> Result<(), Flaw> {
     Ok(())
 }
 
+/// Every prompt by itself.
+pub(super) fn check_prompts(level: &Level) -> Result<(), Flaw> {
+    let prompts = level.prompts.iter().enumerate();
+    let mut rooms = prompts.map(|(index, prompt)| (Entity::Prompt(index), prompt.room));
+    rooms.try_for_each(|(entity, room)| check_room(&entity, "room", room))
+}
+
 /// The corners are in bounds and the right way around.
 fn check_room(entity: &Entity, field: &str, room: Rect) -> Result<(), Flaw> {
     check_point(entity, &format!("{field}.min"), room.min)?;

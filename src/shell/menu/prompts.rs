@@ -149,6 +149,14 @@ pub fn deed(deed: Deed, device: Device, bindings: &Bindings) -> Option<Cap> {
     }
 }
 
+/// What looks up.
+pub fn look(device: Device, bindings: &Bindings) -> Option<Cap> {
+    match device {
+        Device::Keys => deed(Deed::Up, device, bindings),
+        Device::Pad(_) => Some(Cap::Plate("R stick")),
+    }
+}
+
 /// What chooses in menus.
 pub fn choose(device: Device) -> Cap {
     match device {

@@ -66,6 +66,7 @@ impl Progress {
             own.take(record, before);
         }
         merged.take_last(b.last_at, b.last.clone());
+        merged.learnt.extend(&b.learnt);
         merged
     }
 

@@ -2,6 +2,7 @@
 
 use super::fields::Complaints;
 use crate::game::Run;
+use crate::level::Skill;
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
 use std::time::SystemTime;
@@ -24,6 +25,8 @@ pub struct Progress {
     pub last_at: u64,
     /// By the level's path.
     pub levels: BTreeMap<String, Record>,
+    /// What the player has done once and need not be told of.
+    pub learnt: BTreeSet<Skill>,
 }
 
 /// What has been reached in one level.
