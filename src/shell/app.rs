@@ -68,6 +68,8 @@ pub struct App {
     pub(super) quit: bool,
     // Files that are read again when they change, and the levels to choose from.
     pub(super) tuning_file: Watch,
+    /// The player's tuning and its file, while that of a level holds.
+    pub(super) own_tuning: Option<(Tuning, Watch)>,
     pub(super) level_file: Watch,
     pub(super) levels: Vec<PathBuf>,
     shader_files: Watch,
@@ -118,6 +120,7 @@ impl App {
             recorder: start.recorder,
             tuning: start.tuning,
             tuning_file: start.tuning_file,
+            own_tuning: None,
             level_file: start.level_file,
             seed: start.seed,
             notices: start.notices,

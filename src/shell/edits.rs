@@ -2,6 +2,7 @@
 
 use super::app::App;
 use super::guard;
+use super::levels;
 use super::log::{Log, Recorder};
 use super::menu::Screen;
 use super::notices::Topic;
@@ -166,6 +167,28 @@ impl App {
         guard::watch(&self.log, self.front.folder.as_deref());
     }
 
+    /// The tuning that lies beside a chosen level holds while that is played, with its own file; the player's, and its file, are
+    /// put aside until another level is chosen.
+    pub(super) fn tune_for(&mut self, level: &Path) {
+        if let Some((tuning, file)) = self.own_tuning.take() {
+            self.tuning_file = file;
+            self.set_tuning(tuning);
+        }
+        let Some(path) = levels::tuning_of(level) else {
+            return;
+        };
+        match tuning::load(&path) {
+            Ok(tuning) => {
+                let file = std::mem::replace(&mut self.tuning_file, Watch::new(&path));
+                self.own_tuning = Some((self.tuning.clone(), file));
+                self.set_tuning(tuning);
+                self.notices
+                    .say(format!("Tuned for this level by {}", path.display()));
+            }
+            Err(error) => self.notices.fail(Topic::Tuning, error),
+        }
+    }
+
     /// Writes the file, and takes what was written for known: it is no change to be loaded again.
     fn save_tuning(&mut self) {
         let path = self.tuning_file.path().to_path_buf();
@@ -196,6 +219,7 @@ impl App {
         let level_file = Watch::new(path);
         match load::stage(path) {
             Ok(stage) => {
+                self.tune_for(path);
                 let tick_rate = self.play.world.tick_rate();
                 self.play = Play::new(World::new(stage, tick_rate, self.seed), &self.tuning);
                 self.level_file = level_file;

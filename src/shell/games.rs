@@ -253,6 +253,7 @@ impl App {
             self.notices
                 .say("The checkpoint is gone: the level begins anew");
         }
+        self.tune_for(&path);
         self.enter(world);
         self.level_file = level_file;
         self.log_anew(run);

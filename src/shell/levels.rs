@@ -42,6 +42,12 @@ pub fn list() -> Vec<PathBuf> {
         .collect()
 }
 
+/// The tuning that lies beside a level for it, if there is one.
+pub fn tuning_of(level: &Path) -> Option<PathBuf> {
+    let path = level.with_extension(&TUNING[1..]);
+    path.is_file().then_some(path)
+}
+
 fn in_folder(folder: &Path) -> Vec<PathBuf> {
     let Ok(entries) = fs::read_dir(folder) else {
         return Vec::new();
@@ -59,6 +65,14 @@ fn in_folder(folder: &Path) -> Vec<PathBuf> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_gym_has_its_tuning_and_the_quarry_has_none() {
+        let find = |level: &str| tuning_of(&files::find(Path::new(level)));
+        let gym = find("levels/dev/gym.ron");
+        assert!(gym.is_some_and(|path| path.ends_with("levels/dev/gym.tuning.ron")));
+        assert_eq!(find("levels/quarry.ron"), None);
+    }
 
     #[test]
     fn the_shipped_levels_are_found_in_order() {

@@ -128,6 +128,10 @@ const TESTS: &[Test] = &[
     ("another level", tools::another_level),
     ("a level is clicked", tools::a_level_is_clicked),
     (
+        "a level with its own tuning",
+        tools::a_level_with_its_own_tuning,
+    ),
+    (
         "a prompt is gone when it was done once",
         tools::a_prompt_is_gone_when_it_was_done_once,
     ),

@@ -267,6 +267,48 @@ pub fn another_level(_: &Path) {
     assert!(has_problem(&app, Topic::Level, &["no-such.ron"]));
 }
 
+/// The tuning beside a chosen level holds while that is played, and is told of; the player's own is then as it was, and so is its
+/// file, even if somebody saves meanwhile. A broken one is told of, and holds for nobody.
+pub fn a_level_with_its_own_tuning(folder: &Path) {
+    let (level, tuning, mine) = (
+        folder.join("own.ron"),
+        folder.join("own.tuning.ron"),
+        folder.join("mine.ron"),
+    );
+    fs::copy(FLAT, &level).unwrap();
+    fs::write(&tuning, "(motion: (gravity: 30.0))").unwrap();
+    fs::write(&mine, "(motion: (gravity: 50.0))").unwrap();
+    let mut app = open(&with_tuning(&mine));
+    assert_eq!(app.tuning().motion.gravity, 50.0);
+    let choose = |app: &mut App, level: &Path| {
+        app.apply(Edit::OpenLevel(level.into()));
+        frames(app, 2);
+    };
+    for _ in 0..2 {
+        choose(&mut app, &level);
+        assert_eq!(app.tuning().motion.gravity, 30.0);
+        let said = app.notices.notice().map(|(words, _)| words.to_owned());
+        assert!(said.is_some_and(|words| words.contains("own.tuning.ron")));
+    }
+    app.apply(Edit::SaveTuning);
+    choose(&mut app, Path::new(FLAT));
+    assert_eq!(app.tuning().motion.gravity, 50.0);
+    assert_eq!(
+        fs::read_to_string(&mine).unwrap(),
+        "(motion: (gravity: 50.0))"
+    );
+    app.apply(Edit::SaveTuning);
+    assert!(fs::read_to_string(&mine).unwrap().contains("50.0"));
+    fs::write(&tuning, "(motion: (gravity: much))").unwrap();
+    choose(&mut app, &level);
+    assert!(has_problem(
+        &app,
+        Topic::Tuning,
+        &["own.tuning.ron", "line 1"]
+    ));
+    assert_eq!(app.tuning().motion.gravity, 50.0);
+}
+
 /// A level tells how to crouch where it says so, until that was done once; then no level and no later start does.
 pub fn a_prompt_is_gone_when_it_was_done_once(folder: &Path) {
     let level = folder.join("told.ron");
