@@ -6,6 +6,7 @@ use super::edits::Edit;
 use super::front::Front;
 use super::hud::Hud;
 use super::input::{Action, Controls};
+use super::loading::Loading;
 use super::log::{Log, Recorder};
 use super::menu::Screen;
 use super::menu::prompts::Device;
@@ -72,6 +73,7 @@ pub struct App {
     pub(super) own_tuning: Option<(Tuning, Watch)>,
     pub(super) level_file: Watch,
     pub(super) levels: Vec<PathBuf>,
+    pub(super) loading: Option<Loading>,
     shader_files: Watch,
     hero_file: Watch,
     disk: Timer,
@@ -136,6 +138,7 @@ impl App {
             hero_file,
             rig,
             levels: levels::list(),
+            loading: None,
             disk: Timer::default(),
             stats: Stats::default(),
             mesh_pictures: Default::default(),
@@ -297,6 +300,9 @@ impl App {
 
     /// An event of keys, controllers or the mouse: to the menu that is open, or to the hero.
     fn hand_on(&mut self, event: &Event) {
+        if self.loading_takes(event) {
+            return;
+        }
         let typing = self.overlay.typing();
         let in_menu = self.front.is_open() && !typing;
         let pressed = matches!(
@@ -426,7 +432,9 @@ impl App {
         if self.tuning_file.changed() {
             self.load_tuning();
         }
-        if self.level_file.changed() {
+        // Who waits for another level does not wait for this one.
+        let may_reload = self.loading.as_ref().is_none_or(Loading::is_reload);
+        if may_reload && self.level_file.changed() {
             self.reload_level();
         }
         if self.hero_file.changed() {

@@ -3,16 +3,18 @@
 use super::app::App;
 use super::guard;
 use super::levels;
+use super::loading::Then;
 use super::log::{Log, Recorder};
 use super::menu::Screen;
 use super::notices::Topic;
 use super::play::Play;
 use super::reload::Watch;
 use super::runs::Feed;
-use crate::cli::{load, tuning};
-use crate::game::{Replay, Run, World};
+use crate::cli::tuning;
+use crate::game::{Replay, Run, Stage, World};
 use crate::tune::{Camera, Meta, Motion, Tuning};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// Slowest and fastest time, as a share of real time.
 pub const SCALES: std::ops::RangeInclusive<f64> = 0.03125..=4.0;
@@ -216,35 +218,33 @@ impl App {
 
     /// Plays a level from its start; a broken one is not entered.
     fn open_level(&mut self, path: &Path) {
-        let level_file = Watch::new(path);
-        match load::stage(path) {
-            Ok(stage) => {
-                self.tune_for(path);
-                let tick_rate = self.play.world.tick_rate();
-                self.play = Play::new(World::new(stage, tick_rate, self.seed), &self.tuning);
-                self.level_file = level_file;
-                self.feed = Feed::Player;
-                self.front.leave_run();
-                self.hud.begin();
-                self.notices.solve(Topic::Level);
-                self.enter_stage();
-                self.log_anew(None);
-            }
-            Err(error) => self.notices.fail(Topic::Level, error),
-        }
+        self.load_level(path, Then::Open);
+    }
+
+    /// Plays a level that is there from its start.
+    pub(super) fn open_stage(&mut self, stage: Arc<Stage>, level_file: Watch) {
+        self.tune_for(level_file.path());
+        let tick_rate = self.play.world.tick_rate();
+        self.play = Play::new(World::new(stage, tick_rate, self.seed), &self.tuning);
+        self.level_file = level_file;
+        self.feed = Feed::Player;
+        self.front.leave_run();
+        self.hud.begin();
+        self.enter_stage();
+        self.log_anew(None);
+    }
+
+    /// Reads the changed level again, to go on in it.
+    pub(super) fn reload_level(&mut self) {
+        let path = self.level_file.path().to_path_buf();
+        self.load_level(&path, Then::Reload);
     }
 
     /// Goes on in the changed level, where the hero is if that place is still free.
-    pub(super) fn reload_level(&mut self) {
-        match load::stage(self.level_file.path()) {
-            Ok(stage) => {
-                self.play.replace_stage(stage);
-                self.notices.solve(Topic::Level);
-                self.notices.say("Level loaded");
-                self.enter_stage();
-            }
-            Err(error) => self.notices.fail(Topic::Level, error),
-        }
+    pub(super) fn go_on_in(&mut self, stage: Arc<Stage>) {
+        self.play.replace_stage(stage);
+        self.notices.say("Level loaded");
+        self.enter_stage();
     }
 
     /// What is left to do when the world has another stage.

@@ -265,6 +265,7 @@ impl App {
     /// Lets time pass for everything around the game.
     pub(super) fn advance_front(&mut self, elapsed: Duration) {
         self.front.clock += elapsed.as_secs_f64();
+        self.look_for_level();
         self.hud
             .advance(elapsed.as_secs_f32(), &self.play.world.view());
         let lesson = self.lesson();
@@ -319,6 +320,9 @@ impl App {
         self.front.layout = self.front.look.draw(&mut self.text, &scene);
         if !self.overlay.open {
             hud::Hud::problems(&mut self.text, &self.notices);
+        }
+        if let Some(loading) = &self.loading {
+            loading.draw(&mut self.text, self.controls.device());
         }
     }
 }

@@ -3,15 +3,16 @@
 use super::app::App;
 use super::front::Front;
 use super::levels::Choice;
+use super::loading::Then;
 use super::menu::{Command, Screen};
 use super::notices::Topic;
 use super::play::Play;
 use super::reload::Watch;
 use super::runs::Feed;
 use super::settings::progress::{Results, clock};
-use crate::cli::load;
-use crate::game::{Back, Input, Run, View, World};
+use crate::game::{Back, Input, Run, Stage, View, World};
 use crate::level::Skill;
+use std::sync::Arc;
 use std::time::Duration;
 
 /// Where the hero has come back between two moments of a run, if he has.
@@ -242,18 +243,23 @@ impl App {
             return;
         };
         let Choice { path, key, .. } = choice.clone();
-        let level_file = Watch::new(&path);
-        let stage = match load::stage(&path) {
-            Ok(stage) => stage,
-            Err(error) => return self.notices.fail(Topic::Level, error),
-        };
-        self.notices.solve(Topic::Level);
+        self.load_level(&path, Then::Begin(key, run.cloned()));
+    }
+
+    /// A run in a level that is there.
+    pub(super) fn begin_in(
+        &mut self,
+        stage: Arc<Stage>,
+        key: String,
+        run: Option<&Run>,
+        level_file: Watch,
+    ) {
         let mut world = World::new(stage, self.play.world.tick_rate(), self.seed);
         if run.is_some_and(|run| !world.resume(run)) {
             self.notices
                 .say("The checkpoint is gone: the level begins anew");
         }
-        self.tune_for(&path);
+        self.tune_for(level_file.path());
         self.enter(world);
         self.level_file = level_file;
         self.log_anew(run);

@@ -5,7 +5,8 @@
 //! [`log`] (a run's inputs as they come), [`guard`] (what is left of it if the game fails), [`play`] (a world being
 //! played), [`edits`] (what the overlay may ask for), [`reload`] (files that change), [`levels`] (those to choose from),
 //! [`notices`] (what went wrong), [`capture`] (pictures as files), `bench` (frame times), [`settings`] (what is set and what has been reached, and their files), [`menu`] (title, pause, settings as
-//! values, and their look), [`front`] (the menus in the running game), `games` (runs begun and finished), `liking`
+//! values, and their look), [`front`] (the menus in the running game), `games` (runs begun and finished), `loading` (levels on
+//! their way), `liking`
 //! (settings made to hold), [`audio`] and `sounds` (what is heard), [`hud`] (what is told beside the world), `contrast`
 //! (bright outlines by wish), `jolt` (how hard landings shake the picture), [`text`] (letters), [`overlay`] (panels and
 //! drawings for developers), [`puppet`] (the hero's model and figure), [`render`] (the world's picture).
@@ -26,6 +27,7 @@ pub mod input;
 mod jolt;
 pub mod levels;
 mod liking;
+mod loading;
 pub mod log;
 pub mod menu;
 pub mod notices;

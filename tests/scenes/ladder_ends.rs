@@ -82,7 +82,11 @@ fn another_ladder_on_the_way_aside_is_only_passed() {
     at_every_rate(&scene, |run, rate| {
         run.spawn(0.0, 0.0).up(true).play(4.0, rate);
         // Onto the platform, and from there up the other one, since up is held.
-        close(run.last(landed), time_for(6.0) + time_for(0.75 - HALF), 1e-12);
+        close(
+            run.last(landed),
+            time_for(6.0) + time_for(0.75 - HALF),
+            1e-12,
+        );
         run.near(0.75 - HALF, 8.0, 1e-12);
         assert!(run.body().climbing());
         run.frozen(60);

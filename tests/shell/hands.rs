@@ -8,10 +8,12 @@ use sdl2::event::Event;
 use sdl2::keyboard::{Mod, Scancode};
 use sdl2::mouse::MouseButton;
 use std::path::{Path, PathBuf};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 /// A sixtieth of a second.
 pub const FRAME: Duration = Duration::from_nanos(16_666_667);
+/// Longer than any level takes, however busy the machine is.
+const LONGEST_LOAD: Duration = Duration::from_secs(120);
 /// Even ground between two walls.
 pub const FLAT: &str = "levels/dev/flat.ron";
 
@@ -52,6 +54,17 @@ pub fn open(options: &Options) -> App {
 pub fn frames(app: &mut App, count: u32) {
     for _ in 0..count {
         app.frame(FRAME).unwrap();
+        await_level(app);
+    }
+}
+
+/// Waits for a level that is on its way; no time passes in the game.
+pub fn await_level(app: &mut App) {
+    let begin = Instant::now();
+    while app.loading().is_some() {
+        assert!(begin.elapsed() < LONGEST_LOAD, "a level is still not there");
+        std::thread::sleep(Duration::from_millis(2));
+        app.frame(Duration::ZERO).unwrap();
     }
 }
 

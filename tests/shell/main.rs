@@ -126,6 +126,10 @@ const TESTS: &[Test] = &[
         heap::nothing_is_allocated_for_cues,
     ),
     ("another level", tools::another_level),
+    (
+        "a huge level shows a bar that can be left",
+        tools::a_huge_level_shows_a_bar_that_can_be_left,
+    ),
     ("a level is clicked", tools::a_level_is_clicked),
     (
         "a level with its own tuning",

@@ -1,7 +1,8 @@
 //! The overlay's tools, and files that change under the running game.
 
 use super::hands::{
-    FLAT, button, click, frames, has_problem, index_of, key, open, options, tap, with_tuning,
+    FLAT, FRAME, await_level, button, click, frames, has_problem, index_of, key, open, options,
+    tap, with_tuning,
 };
 use edgewalker::cli::Options;
 use edgewalker::game::Stance;
@@ -13,6 +14,7 @@ use edgewalker::tune::{Motion, Tuning};
 use sdl2::keyboard::Scancode;
 use std::fs;
 use std::path::Path;
+use std::time::Instant;
 
 /// Jumps from rest with the key held; the greatest height above the ground.
 pub fn jump(app: &mut App) -> f64 {
@@ -282,7 +284,7 @@ pub fn a_level_with_its_own_tuning(folder: &Path) {
     assert_eq!(app.tuning().motion.gravity, 50.0);
     let choose = |app: &mut App, level: &Path| {
         app.apply(Edit::OpenLevel(level.into()));
-        frames(app, 2);
+        await_level(app);
     };
     for _ in 0..2 {
         choose(&mut app, &level);
@@ -331,7 +333,61 @@ pub fn a_prompt_is_gone_when_it_was_done_once(folder: &Path) {
     frames(&mut app, 60);
     assert_eq!(app.hud.told(), None);
     app.finish().unwrap();
+    drop(app);
     let mut app = open(&options);
     frames(&mut app, 760);
     assert_eq!(app.hud.told(), None, "it is remembered");
+}
+
+/// A level with so many beams across as many others that it is not there at once.
+fn huge() -> String {
+    let beam = |id: String, [a, b, c, d]: [f64; 4]| {
+        format!("(id: \"{id}\", outline: [({a}, {b}), ({c}, {b}), ({c}, {d}), ({a}, {d})]),\n")
+    };
+    let ground = beam("ground".into(), [-5.0, -1.0, 5.0, 0.0]);
+    let beams = (0..200).flat_map(|i| {
+        let at = 20.0 + 3.0 * f64::from(i);
+        let lying = beam(format!("lying {i}"), [19.0, at, 621.0, at + 0.05]);
+        [
+            lying,
+            beam(format!("standing {i}"), [at, 19.0, at + 0.05, 621.0]),
+        ]
+    });
+    let features: String = beams.collect();
+    format!(
+        "(version: 1, name: \"Huge\", start: (0, 0), goal: (min: (4, 0), max: (5, 1)), bottom: -10,\n\
+         features: [\n{ground}{features}])\n"
+    )
+}
+
+pub fn a_huge_level_shows_a_bar_that_can_be_left(folder: &Path) {
+    let path = folder.join("huge.ron");
+    fs::write(&path, huge()).unwrap();
+    let mut app = open(&options(FLAT));
+    frames(&mut app, 2);
+    let (name, tick) = (
+        app.play.world.stage().level.name.clone(),
+        app.play.world.tick(),
+    );
+    app.apply(Edit::OpenLevel(path.clone()));
+    let mut before = 0.0;
+    let begin = Instant::now();
+    while before < 0.2 {
+        let share = app.loading().expect("it is still on its way").share();
+        assert!(share >= before && begin.elapsed().as_secs() < 120);
+        before = share;
+        app.frame(FRAME).unwrap();
+    }
+    assert!(app.play.world.tick() > tick, "the game goes on meanwhile");
+    key(&app, Scancode::Escape, true);
+    app.frame(FRAME).unwrap();
+    key(&app, Scancode::Escape, false);
+    app.frame(FRAME).unwrap();
+    assert!(app.loading().is_none() && !app.is_paused());
+    assert!(app.notices.problems().is_empty());
+    assert_eq!(app.play.world.stage().level.name, name, "nothing is lost");
+    app.apply(Edit::OpenLevel(path));
+    assert!(app.loading().is_some());
+    await_level(&mut app);
+    assert_eq!(app.play.world.stage().level.name, "Huge");
 }
