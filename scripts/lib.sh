@@ -6,8 +6,8 @@
 invoked_from="$PWD"
 cd "$(dirname "${BASH_SOURCE[0]}")/.." || exit 1
 
-# For who builds only to test: debug information costs a third of the time and most of the room, and nobody debugs there. What a
-# script has built with it another finds built; places of panics are told all the same.
+# For who builds only to test: debug information costs time and room, and nobody debugs there. What a script
+# has built with it another finds built; places of panics are told all the same.
 build_for_tests() {
     export CARGO_PROFILE_DEV_DEBUG=0 CARGO_PROFILE_RELEASE_DEBUG=0
     export CARGO_INCREMENTAL=0 # one build of everything: incremental files would only cost time and room

@@ -65,7 +65,7 @@ impl Air {
             .flatten()
             .map(|l| l.0)
             .min_by(f64::total_cmp);
-        Next::or_limit(left, limit)
+        Next::sooner(left, limit.map(|at| (at, Next::Limit)))
     }
 
     /// The side over which the parabola leaves its face first, whatever that stops, and when, as a time after `t0`.

@@ -160,12 +160,15 @@ pub(super) enum Next {
 }
 
 impl Next {
-    /// An event, or a speed limit if that is reached before it.
-    pub(super) fn or_limit(event: Option<(f64, Next)>, limit: Option<f64>) -> Option<(f64, Next)> {
-        match (event, limit) {
-            (Some((at, _)), Some(limit)) if limit < at => Some((limit, Next::Limit)),
-            (None, Some(limit)) => Some((limit, Next::Limit)),
-            (event, _) => event,
+    /// The sooner of two events; of two at one time the first.
+    pub(super) fn sooner(
+        first: Option<(f64, Next)>,
+        other: Option<(f64, Next)>,
+    ) -> Option<(f64, Next)> {
+        match (first, other) {
+            (Some((at, _)), Some((sooner, _))) if sooner < at => other,
+            (None, other) => other,
+            (first, _) => first,
         }
     }
 }

@@ -261,11 +261,7 @@ impl Body {
             .filter(|&hang| hang < on.parameter(self.time) || on.speed(self.time) != 0.0);
         let grabs = grabs
             .and_then(|hang| Some((on.t0 + on.reaches(hang)?.max(on.since), Next::Grab(hang))));
-        match (next, grabs) {
-            (Some((at, _)), Some((sooner, _))) if sooner < at => grabs,
-            (None, grabs) => grabs,
-            (next, _) => next,
-        }
+        Next::sooner(next, grabs)
     }
 
     /// Hangs from the ledge, its feet exactly at that parameter.

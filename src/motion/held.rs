@@ -7,7 +7,7 @@ use super::footing::Footing;
 use super::joint::{Joint, Onward};
 use super::law;
 use super::terrain::Terrain;
-use super::vertex::{JOINT_STEPS, segment_at};
+use super::vertex::JOINT_STEPS;
 use crate::geom::STEP;
 
 impl Body {
@@ -22,10 +22,7 @@ impl Body {
             return false;
         }
         let joint = Joint::ahead(on, on.against, 0.0, mesh);
-        let onward = joint.next.and_then(|next| {
-            let segment = segment_at(mesh, next, |_| false)?;
-            Some(joint.onto(mesh, next, segment))
-        });
+        let onward = joint.onward(mesh);
         let is_held = match self.ground_ahead(&joint, onward.as_ref(), terrain) {
             Some(ground) => self.is_held(&joint, &ground, terrain),
             None if joint.is_end(onward.as_ref()) => {
@@ -50,10 +47,7 @@ impl Body {
         }
         let mesh = self.ground(terrain);
         let joint = Joint::ahead(on, on.against, 0.0, mesh);
-        let onward = joint.next.and_then(|next| {
-            let segment = segment_at(mesh, next, |_| false)?;
-            Some(joint.onto(mesh, next, segment))
-        });
+        let onward = joint.onward(mesh);
         let goes_on = self
             .ground_ahead(&joint, onward.as_ref(), terrain)
             .is_some();

@@ -112,6 +112,13 @@ impl Joint {
         }
     }
 
+    /// The way on along the surface, as part of the best of the feature edges there.
+    pub(super) fn onward(&self, mesh: Ground) -> Option<Onward> {
+        let next = self.next?;
+        let segment = segment_at(mesh, next, |_| false)?;
+        Some(self.onto(mesh, next, segment))
+    }
+
     /// Whether a way on has the direction so far, as both were drawn.
     fn goes_straight_on(&self, on: &Onward) -> bool {
         wide_cross(self.before, on.after) == 0 && wide_dot(self.before, on.after) > 0

@@ -112,11 +112,7 @@ impl Body {
     /// The time at which a buffered jump counts as let go of, if that comes first.
     pub(super) fn sooner_if_cut(&self, next: Option<(f64, Next)>) -> Option<(f64, Next)> {
         let at = self.rise.and_then(|rise| rise.cut_at);
-        match (next, at) {
-            (Some((sooner, _)), Some(at)) if at < sooner => Some((at, Next::Cut)),
-            (None, Some(at)) => Some((at, Next::Cut)),
-            (next, _) => next,
-        }
+        Next::sooner(next, at.map(|at| (at, Next::Cut)))
     }
 
     /// From now on it does.

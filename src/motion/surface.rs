@@ -18,7 +18,7 @@ impl Surface {
         let vertex = self
             .reaches(there)
             .map(|dt| (self.t0 + dt.max(self.since), Next::Vertex));
-        Next::or_limit(vertex, self.limit.map(|(at, _)| at))
+        Next::sooner(vertex, self.limit.map(|(at, _)| (at, Next::Limit)))
     }
 
     /// The parameter of the vertex ahead: where another feature edge goes on from it, that of the point where the two really

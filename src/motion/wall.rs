@@ -112,12 +112,8 @@ impl Body {
 
     /// The end of a wall jump's hold on the direction, if that comes first.
     pub(super) fn sooner_if_unlocked(&self, next: Option<(f64, Next)>) -> Option<(f64, Next)> {
-        let until = self.lock().map(|lock| lock.until);
-        match (next, until) {
-            (Some((at, _)), Some(until)) if until < at => Some((until, Next::Unlock)),
-            (None, Some(until)) => Some((until, Next::Unlock)),
-            (next, _) => next,
-        }
+        let unlock = self.lock().map(|lock| (lock.until, Next::Unlock));
+        Next::sooner(next, unlock)
     }
 
     /// From now on the stick steers again.
