@@ -28,7 +28,7 @@ const PATIENCE: Duration = Duration::from_millis(250);
 const DESIGN: f32 = 720.0;
 /// The plate: width, height, and its top as a share of the picture's height.
 const PLATE: [f32; 2] = [460.0, 104.0];
-const PLATE_AT: f32 = 0.8;
+const PLATE_AT: f32 = 0.72;
 /// Room within it, and height of the bar.
 const ROOM: f32 = 24.0;
 const BAR: f32 = 8.0;
